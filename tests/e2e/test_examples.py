@@ -26,6 +26,7 @@ def verdicts(run):
         "wall-approach",
         "joint-pid",
         "touchless-approach",
+        "sensor-dropout",
         "joint-settling",
         "joint-settling-cpp",
         "path-tracking",
@@ -89,6 +90,16 @@ def test_a_base_that_touches_the_wall_violates_a_condition_over_time(sitaf, tmp_
     ]
     assert touched[0] == broken[1]
     assert len(list((tmp_path / "signals").iterdir())) == cases
+
+
+def test_a_base_that_drives_without_readings_violates_a_condition(sitaf):
+    run = sitaf("run", "examples/sensor-dropout-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "stops without readings: broken at 0.4 s: base.linear.command is 0.4" in run.stdout
+    assert "fault.lidar.dropout" in run.stdout
+    _, passed = verdicts(run)
+    # Without a fault, the base is right.
+    assert passed > 0
 
 
 def test_a_slow_controller_does_not_settle_in_time(sitaf):

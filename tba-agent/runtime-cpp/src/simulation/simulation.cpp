@@ -123,9 +123,10 @@ class Simulation::Session : public Simulator {
 
   void requireNotLost() { wire_.requireNotLost(); }
 
-  void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
+  void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
+               std::chrono::nanoseconds callAfter = std::chrono::nanoseconds(0)) {
     time_.restart(settle);
-    prepareSeparately({parameters, values, settle});
+    prepareSeparately({parameters, values, settle, callAfter});
   }
 
   void prepareAhead(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
@@ -140,7 +141,7 @@ class Simulation::Session : public Simulator {
       prepare(parameters, values, settle);
       return;
     }
-    pending_ = {parameters, values, settle};
+    pending_ = {parameters, values, settle, std::chrono::nanoseconds(0)};
     time_.restart(settle);
     const std::int64_t step = created_.world().timestep_ns();
     world_.freeze(std::chrono::nanoseconds((settle.count() + step - 1) / step * step), row);
@@ -257,6 +258,7 @@ class Simulation::Session : public Simulator {
     Names parameters;
     std::vector<double> values;
     std::chrono::nanoseconds settle;
+    std::chrono::nanoseconds callAfter;
   };
 
   void prepareSeparately(const Pending& prepared) {
@@ -266,6 +268,7 @@ class Simulation::Session : public Simulator {
       (*request.mutable_parameters())[prepared.parameters[i]] = prepared.values[i];
     }
     request.set_settle_ns(prepared.settle.count());
+    request.set_call_after_ns(prepared.callAfter.count());
     request.set_case_no(caseNo_);
     pending_.reset();
     world_.freeze(wire_.control(describeParameters(prepared.parameters, prepared.values), &Control::Prepare, request).state());
@@ -381,8 +384,9 @@ Hardware& Simulation::hardware() { return session_->hardware(); }
 
 void Simulation::requireNotLost() { session_->requireNotLost(); }
 
-void Simulation::prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
-  session_->prepare(parameters, values, settle);
+void Simulation::prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
+                         std::chrono::nanoseconds callAfter) {
+  session_->prepare(parameters, values, settle, callAfter);
 }
 
 void Simulation::prepareAhead(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,

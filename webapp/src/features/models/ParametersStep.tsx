@@ -2,6 +2,7 @@ import { Checkbox, Stack, Text } from '@mantine/core';
 import { Section, UserText } from '@/shared/ui';
 import {
   argumentsOf,
+  faultInputs,
   stubInputs,
   worldInputs,
   type Candidate,
@@ -9,6 +10,9 @@ import {
   type Method,
 } from './defaults';
 import { INPUT_KINDS, type ModelDraft } from './draft';
+
+/** The parts of a fault's name. */
+const TIMES = ['.at', '.for', '.value'];
 
 interface ParametersStepProps {
   description: Description;
@@ -31,6 +35,14 @@ export function ParametersStep({ description, method, draft, onChange }: Paramet
       candidates: worldInputs(description),
     },
     {
+      title: 'Faults of devices (TDSD)',
+      none: 'The world declares no devices.',
+      candidates: faultInputs(
+        description,
+        draft.inputs.map(({ name }) => name),
+      ),
+    },
+    {
       title: 'Test stub return values (TDTS)',
       none: 'The component requires no interfaces.',
       candidates: stubInputs(description),
@@ -40,7 +52,11 @@ export function ParametersStep({ description, method, draft, onChange }: Paramet
   const otherInputs = draft.inputs.filter(({ name }) => !offered.includes(name));
 
   function toggle({ input }: Candidate, selected: boolean) {
-    const without = draft.inputs.filter(({ name }) => name !== input.name);
+    // The times of a fault have no effect without the fault.
+    const without = draft.inputs.filter(
+      ({ name }) =>
+        name !== input.name && (selected || !TIMES.some((time) => name === input.name + time)),
+    );
     const inputs = selected ? [...without, input] : without;
     // The order of the paper's tables.
     inputs.sort((a, b) => INPUT_KINDS.indexOf(a.kind) - INPUT_KINDS.indexOf(b.kind));

@@ -56,6 +56,50 @@ export function worldInputs({ world }: Description): Candidate[] {
   });
 }
 
+/**
+ * The faults of the world's devices, and the times of those that are selected.
+ *
+ * @param selected names of inputs
+ */
+export function faultInputs({ world }: Description, selected: readonly string[]): Candidate[] {
+  return (world?.devices ?? []).flatMap(({ name, kind, faults }) =>
+    faults.flatMap((fault) => {
+      const input = `fault.${name}.${fault}`;
+      const values = FAULT_VALUES[fault];
+      const times: Candidate[] = [
+        { input: faultInput(`${input}.at`, 'double', ['0.5']), note: 'seconds after the call' },
+        { input: faultInput(`${input}.for`, 'double', ['1']), note: 'duration in seconds' },
+      ];
+      return [
+        { input: faultInput(input, values ? 'double' : 'int', values ?? ['0', '1']), note: kind },
+        ...(selected.includes(input) ? times : []),
+      ];
+    }),
+  );
+}
+
+function faultInput(name: string, realType: string, userValues: string[]): InputDraft {
+  return {
+    name,
+    kind: 'TDSD',
+    abstractType: 'NUMERIC',
+    realType,
+    description: '',
+    spec: null,
+    furtherSpecs: [],
+    userValues,
+  };
+}
+
+/** Values of the faults that are no switches: no fault first. */
+const FAULT_VALUES: Partial<Record<string, string[]>> = {
+  offset: ['0', '0.1'],
+  scale: ['1', '1.1'],
+  noise: ['0', '0.05'],
+  delay: ['0', '0.1'],
+  intermittent: ['0', '0.2'],
+};
+
 /** The return values and out-parameters of the test stub. */
 export function stubInputs({ required }: Description): Candidate[] {
   return required.flatMap(({ name, methods }) =>

@@ -39,8 +39,10 @@ class Simulation {
   /// Names of the world's parameters that a case sets, in the same order for all cases; others get their default.
   using Names = std::vector<std::string>;
 
-  /// Prepares a case from a reset: sets parameters, in the unit of each, and lets the world settle.
-  void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle);
+  /// Prepares a case from a reset: sets parameters, in the unit of each, and lets the world settle. The onsets of faults count from the
+  /// call, which begins `callAfter` later.
+  void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
+               std::chrono::nanoseconds callAfter = std::chrono::nanoseconds(0));
 
   /// As prepare, with the same result, but also prepares the following cases. When a component commands its hardware or waits, the session
   /// is brought to the current case, and each later case is prepared separately.

@@ -47,7 +47,8 @@ class RosTestDriver(SuiteDriver[object]):
         simulation = self._run.simulation if self._plan.world else None
         world = None
         if simulation is not None:
-            simulation.prepare({name: test_case.read(name, FLOAT64) for name in self._plan.settings})
+            parameters = {name: test_case.read(name, FLOAT64) for name in self._plan.settings}
+            simulation.prepare(parameters, call_after_s=self._plan.settle_ns / 1e9)
             world = {"timestep_ns": simulation.time.timestep_ns, "readings": self._begin_readings(simulation)}
         self._node.begin({"values": dict(test_case.values), "world": world})
         record: dict[str, Any] | None = None

@@ -127,19 +127,28 @@ class Simulation:
             return None
         return f"the case took more than {self._limit_ns / _NANOS:g} s of simulation time"
 
-    def prepare(self, parameters: Mapping[str, float], settle_s: float = 0.0) -> None:
+    def prepare(
+        self, parameters: Mapping[str, float], settle_s: float = 0.0, *, call_after_s: float = 0.0
+    ) -> None:
         """Prepare a case from a reset, and let it settle.
 
-        `parameters` are in the unit of each parameter of the world; others get their default.
+        `parameters` are in the unit of each parameter of the world; others get their default. The onsets of faults
+        count from the call under test, which begins `call_after_s` later.
         """
         self._passed_ns = 0
         self._time.restart()
         settle_ns = round(settle_s * _NANOS)
         settled_ns = self._time.steps_in(settle_ns) * self._timestep_ns
+        call_after_ns = round(call_after_s * _NANOS)
         request = pb.PrepareRequest(
-            session_id=self._session, parameters=parameters, settle_ns=settle_ns, case_no=self._case_no
+            session_id=self._session,
+            parameters=parameters,
+            settle_ns=settle_ns,
+            case_no=self._case_no,
+            call_after_ns=call_after_ns,
         )
-        known = self._ahead.world(parameters, settle_ns, settled_ns)
+        # Worlds in bulk show faults as if the call began now.
+        known = None if call_after_ns > 0 else self._ahead.world(parameters, settle_ns, settled_ns)
         if known is not None:
             self._pending_preparation = request
             self._hardware.world = known

@@ -11,6 +11,8 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.fault.DeviceFaults;
+import org.sitaf.core.description.fault.FaultKind;
 import org.sitaf.server.web.DiagnosticView;
 
 /** The interfaces and the world of an activity, for editors of test models. */
@@ -119,7 +121,14 @@ record DescriptionView(
           world.parameters().stream()
               .map(p -> new WorldParameter(p.name(), p.unit(), p.min(), p.max(), p.defaultValue()))
               .toList(),
-          world.devices().stream().map(d -> new WorldDevice(d.name(), d.kind())).toList(),
+          world.devices().stream()
+              .map(
+                  d ->
+                      new WorldDevice(
+                          d.name(),
+                          d.kind(),
+                          DeviceFaults.of(d.kind()).stream().map(FaultKind::text).toList()))
+              .toList(),
           world.observations());
     }
   }
@@ -133,7 +142,11 @@ record DescriptionView(
       double defaultValue) {}
 
   @Schema(name = "WorldDevice")
-  record WorldDevice(String name, String kind) {}
+  record WorldDevice(
+      String name,
+      String kind,
+      @Schema(description = "kinds of faults that a test can set as fault.NAME.KIND")
+          List<String> faults) {}
 
   static DescriptionView of(Activity activity) {
     return new DescriptionView(

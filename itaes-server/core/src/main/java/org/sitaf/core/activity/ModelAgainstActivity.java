@@ -21,6 +21,8 @@ import org.sitaf.core.description.TypeGrammar;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldDescription.WorldParameter;
 import org.sitaf.core.description.WorldSignals;
+import org.sitaf.core.description.fault.DeviceFaults;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -211,6 +213,10 @@ final class ModelAgainstActivity {
       error(input.line(), where, "is a parameter of the world, but activity.yaml has no world");
       return;
     }
+    if (FaultName.isFault(input.name())) {
+      fault(input, world, where);
+      return;
+    }
     Optional<WorldParameter> parameter = world.parameter(input.name());
     if (parameter.isEmpty()) {
       error(
@@ -246,6 +252,43 @@ final class ModelAgainstActivity {
                 + " that "
                 + world.path()
                 + " declares; extend this range or restrict the test_spec");
+      }
+    }
+  }
+
+  /** A fault of a device that the simulation injects. */
+  private void fault(InputElement input, WorldDescription declared, String where) {
+    FaultName name;
+    try {
+      name = FaultName.parse(input.name());
+    } catch (IllegalArgumentException e) {
+      error(input.line(), where, String.valueOf(e.getMessage()));
+      return;
+    }
+    Optional<String> problem = DeviceFaults.problem(name, declared);
+    if (problem.isPresent()) {
+      error(input.line(), where, problem.get());
+      return;
+    }
+    if (name.part() != FaultName.Part.FAULT
+        && model.inputs().stream().noneMatch(i -> i.name().equals(name.fault()))) {
+      error(
+          input.line(),
+          where,
+          "has no effect without the fault itself; add a test_element " + name.fault());
+    }
+    for (TestValue value : TestDataGenerator.generate(input, 1).values()) {
+      if (value.relation() != null) {
+        continue;
+      }
+      Optional<Double> number = number(value.value());
+      Optional<String> wrong =
+          number.isEmpty()
+              ? Optional.of("must be a number")
+              : DeviceFaults.problem(name, number.get());
+      if (wrong.isPresent()) {
+        error(input.line(), where, "the value " + value.value().literal() + " " + wrong.get());
+        return;
       }
     }
   }

@@ -67,6 +67,16 @@ public final class WorldSignals {
 
   private WorldSignals() {}
 
+  /** The numbers in the readings of a kind of device; none of cameras and laser scans. */
+  public static List<String> readings(String kind) {
+    return READINGS.getOrDefault(kind, List.of());
+  }
+
+  /** The numbers in the commands that a kind of device takes; none of a sensor. */
+  public static List<String> commands(String kind) {
+    return COMMANDS.getOrDefault(kind, List.of());
+  }
+
   /** The unit of a signal; empty if it has none or the world does not declare it. */
   public static String unit(WorldDescription world, String name) {
     String[] parts = name.split("\\.", -1);
@@ -81,12 +91,8 @@ public final class WorldSignals {
   public static List<String> of(WorldDescription world) {
     List<String> names = new ArrayList<>(world.observations());
     for (WorldDescription.Device device : world.devices()) {
-      READINGS
-          .getOrDefault(device.kind(), List.of())
-          .forEach(field -> names.add(device.name() + "." + field));
-      COMMANDS
-          .getOrDefault(device.kind(), List.of())
-          .forEach(field -> names.add(device.name() + "." + field + ".command"));
+      readings(device.kind()).forEach(field -> names.add(device.name() + "." + field));
+      commands(device.kind()).forEach(field -> names.add(device.name() + "." + field + ".command"));
     }
     return names;
   }

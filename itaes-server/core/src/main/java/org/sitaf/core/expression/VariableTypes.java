@@ -4,7 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.expression.type.Type;
 
 /**
@@ -57,6 +59,13 @@ public final class VariableTypes {
   public Map<String, Type> map() {
     Map<String, Type> types = new LinkedHashMap<>();
     roots.forEach((name, node) -> types.put(name, node.type()));
+    for (String name : roots.keySet()) {
+      FaultName.find(name)
+          .ifPresent(
+              fault ->
+                  Stream.of(FaultName.Part.AT.suffix(), FaultName.Part.FOR.suffix(), FaultName.END)
+                      .forEach(part -> types.putIfAbsent(fault.fault() + part, Type.REAL)));
+    }
     return types;
   }
 }

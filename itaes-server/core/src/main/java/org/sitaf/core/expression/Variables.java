@@ -12,11 +12,13 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.model.Value;
 
 /**
  * The variables of a test case for an expression: each input by name. Paths such as {@code pose.x}
- * and {@code path[0]} become members and elements.
+ * and {@code path[0]} become members and elements. Each name of a fault is one variable, and its
+ * {@code .at}, {@code .for} and {@code .end} always have values.
  */
 public final class Variables {
   /** True if the case has no invalid value. */
@@ -52,6 +54,7 @@ public final class Variables {
       if (!path.isEmpty()) {
         roots.add((String) path.get(0));
       }
+      FaultName.find(name).ifPresent(fault -> roots.add(fault.fault() + FaultName.END));
     }
     return roots;
   }
@@ -67,7 +70,19 @@ public final class Variables {
     if (!path.isEmpty()) {
       put(values, path, plain(literal, type));
     }
+    FaultName.find(name).ifPresent(this::putTimes);
     return this;
+  }
+
+  /** The times of a fault: those that no input sets have their defaults. */
+  private void putTimes(FaultName fault) {
+    String name = fault.fault();
+    Object at = values.computeIfAbsent(name + FaultName.Part.AT.suffix(), n -> 0.0);
+    Object length =
+        values.computeIfAbsent(name + FaultName.Part.FOR.suffix(), n -> Double.POSITIVE_INFINITY);
+    if (at instanceof Number begin && length instanceof Number duration) {
+      values.put(name + FaultName.END, begin.doubleValue() + duration.doubleValue());
+    }
   }
 
   /** Adds whether the value of an input is valid: {@code valid_pose.x} of {@code pose.x}. */
@@ -115,6 +130,12 @@ public final class Variables {
   }
 
   static List<Object> path(String name) {
+    // The names of faults begin with one another: fault.ir1.dropout and fault.ir1.dropout.at.
+    if (FaultName.find(name).isPresent()
+        || (name.startsWith(VALID_PREFIX)
+            && FaultName.find(name.substring(VALID_PREFIX.length())).isPresent())) {
+      return List.of(name);
+    }
     List<Object> path = new ArrayList<>();
     Matcher step = STEP.matcher(name);
     int at = 0;

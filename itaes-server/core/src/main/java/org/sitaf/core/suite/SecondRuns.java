@@ -11,6 +11,8 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldDescription.WorldParameter;
+import org.sitaf.core.description.fault.DeviceFaults;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.Variables;
@@ -174,14 +176,20 @@ public final class SecondRuns {
     if (input.kind() != InputKind.TDSD || world == null) {
       return;
     }
-    WorldParameter parameter = world.parameter(input.name()).orElse(null);
-    if (parameter == null) {
-      return;
-    }
     double number =
         value instanceof Value.Whole whole
             ? whole.number().doubleValue()
             : value instanceof Value.Real real ? real.number() : Double.NaN;
+    FaultName.find(input.name())
+        .flatMap(fault -> DeviceFaults.problem(fault, number))
+        .ifPresent(
+            problem -> {
+              throw new IllegalArgumentException(value.literal() + " " + problem);
+            });
+    WorldParameter parameter = world.parameter(input.name()).orElse(null);
+    if (parameter == null) {
+      return;
+    }
     if (!parameter.contains(number)) {
       throw new IllegalArgumentException(
           value.literal() + " is outside the range " + parameter.range() + " of the world");

@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
@@ -241,6 +242,7 @@ public final class TrajectoryConditions {
       for (String input : Variables.roots(names)) {
         types.put(input, typeOf(input, model));
       }
+      names.forEach(name -> FaultName.find(name).ifPresent(fault -> putTimes(fault, types)));
       Set<String> all = new TreeSet<>();
       List<String> given = new ArrayList<>(signals);
       given.add(CompiledCondition.TIME);
@@ -251,6 +253,13 @@ public final class TrajectoryConditions {
         all.add(signal);
       }
       return new Names(types, all, ambiguous);
+    }
+
+    private static void putTimes(FaultName fault, Map<String, DataType> types) {
+      DataType seconds = new DataType.Scalar(ScalarType.DOUBLE);
+      types.putIfAbsent(fault.fault() + FaultName.Part.AT.suffix(), seconds);
+      types.putIfAbsent(fault.fault() + FaultName.Part.FOR.suffix(), seconds);
+      types.put(fault.fault() + FaultName.END, seconds);
     }
 
     private static DataType typeOf(String input, TestModel model) {

@@ -7,7 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.ExecutionRequest.World;
 import org.sitaf.agent.executor.SimulatorAddress;
@@ -17,7 +20,10 @@ import org.sitaf.agent.simulation.WorldException;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.description.fault.FaultKind;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**
@@ -74,7 +80,7 @@ record Preparation(
     boolean prepared = false;
     try {
       String version = simulator.version();
-      long stepNanos = simulator.check(world.substring(slash + 1), worldFiles);
+      long stepNanos = simulator.check(world.substring(slash + 1), worldFiles, saturations());
       signals.begin(simulator, stepNanos);
       log.remark("world " + world + " on " + version);
       log.remark(simulator.description());
@@ -92,6 +98,15 @@ record Preparation(
         simulator.close();
       }
     }
+  }
+
+  /** The faults of which only the simulator knows whether the actuators can have them. */
+  private Set<String> saturations() {
+    return application.suite().parameters().stream()
+        .map(CaseParameter::name)
+        .filter(
+            name -> FaultName.find(name).filter(f -> f.kind() == FaultKind.SATURATED).isPresent())
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 
   /** Access to a simulator over TCP requires network access for the component. */

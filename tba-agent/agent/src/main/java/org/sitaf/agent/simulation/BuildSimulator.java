@@ -2,6 +2,7 @@ package org.sitaf.agent.simulation;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sitaf.core.trajectory.Trace;
 
 /** The robot simulator of one build, until it is closed. Thread-safe. */
@@ -22,11 +23,12 @@ public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulato
    *
    * @param description name of the world description among the files
    * @param files of the world's folder, by relative path
+   * @param faults names of faults that a test sets, which must fit the world
    * @return length of a simulation step in nanoseconds
    * @throws WorldException if the simulator rejects it or crashes
    * @throws SimulatorException if it does not answer
    */
-  long check(String description, Map<String, byte[]> files)
+  long check(String description, Map<String, byte[]> files, Set<String> faults)
       throws WorldException, SimulatorException, InterruptedException;
 
   /**

@@ -55,28 +55,29 @@ final class OwnSimulator implements BuildSimulator {
   }
 
   @Override
-  public synchronized long check(String description, Map<String, byte[]> files)
+  public synchronized long check(String description, Map<String, byte[]> files, Set<String> faults)
       throws WorldException, SimulatorException, InterruptedException {
     String key = keyOf(description, files);
     Optional<CompiledWorld> known = bridges.acceptedWorld(key);
-    if (known.isPresent()) {
+    // What fits a known world is not known of these faults.
+    if (known.isPresent() && faults.isEmpty()) {
       world = new World(description, Map.copyOf(files), known.get());
       compileInBackground(runningBridge(), world);
       return known.get().stepNanos();
     }
-    CompiledWorld compiled = compile(description, files);
+    CompiledWorld compiled = compile(description, files, faults);
     bridges.addAccepted(key, compiled);
     world = new World(description, Map.copyOf(files), compiled);
     return compiled.stepNanos();
   }
 
   /** Retries once: a world that ends the bridge every time is at fault. */
-  private CompiledWorld compile(String description, Map<String, byte[]> files)
+  private CompiledWorld compile(String description, Map<String, byte[]> files, Set<String> faults)
       throws WorldException, SimulatorException, InterruptedException {
     for (int attempt = 1; ; attempt++) {
       BridgeProcess current = runningBridge();
       try {
-        return current.client().check(description, files);
+        return current.client().check(description, files, faults);
       } catch (SimulatorException e) {
         Optional<SimulatorEnd> end = current.end();
         if (end.isEmpty()) {
@@ -98,7 +99,7 @@ final class OwnSimulator implements BuildSimulator {
         new Thread(
             () -> {
               try {
-                bridge.client().check(world.description(), world.files());
+                bridge.client().check(world.description(), world.files(), Set.of());
               } catch (WorldException | SimulatorException e) {
                 // The session that needs the world reports the error.
               }

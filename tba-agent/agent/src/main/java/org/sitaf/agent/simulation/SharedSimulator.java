@@ -2,6 +2,7 @@ package org.sitaf.agent.simulation;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.sitaf.core.trajectory.Trace;
 
 /** A simulator that other builds use, too. */
@@ -25,9 +26,9 @@ final class SharedSimulator implements BuildSimulator {
   }
 
   @Override
-  public long check(String description, Map<String, byte[]> files)
+  public long check(String description, Map<String, byte[]> files, Set<String> faults)
       throws WorldException, SimulatorException {
-    return client.check(description, files).stepNanos();
+    return client.check(description, files, faults).stepNanos();
   }
 
   @Override

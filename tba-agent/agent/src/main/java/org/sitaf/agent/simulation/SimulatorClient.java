@@ -10,6 +10,7 @@ import io.grpc.StatusRuntimeException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -176,17 +177,22 @@ public final class SimulatorClient implements AutoCloseable {
    *
    * @param description name of the world description among the files
    * @param files of the world's folder, by relative path
+   * @param faults names of faults that a test sets
    * @throws WorldException if the simulator rejects it
    * @throws SimulatorException if it does not answer
    */
-  CompiledWorld check(String description, Map<String, byte[]> files)
+  CompiledWorld check(String description, Map<String, byte[]> files, Set<String> faults)
       throws WorldException, SimulatorException {
     WorldSource.Builder world = WorldSource.newBuilder().setDescription(description);
     files.forEach((path, content) -> world.putFiles(path, ByteString.copyFrom(content)));
     try {
       WorldDescription described =
           stub()
-              .describeWorld(DescribeWorldRequest.newBuilder().setWorld(world).build())
+              .describeWorld(
+                  DescribeWorldRequest.newBuilder()
+                      .setWorld(world)
+                      .addAllParameters(faults)
+                      .build())
               .getWorld();
       return new CompiledWorld(described.getDigest(), described.getTimestepNs());
     } catch (StatusRuntimeException e) {

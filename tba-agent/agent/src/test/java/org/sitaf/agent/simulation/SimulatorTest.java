@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -48,7 +49,7 @@ class SimulatorTest {
   }
 
   private static void check(BuildSimulator simulator) throws Exception {
-    simulator.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF));
+    simulator.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF), Set.of());
   }
 
   @Test
@@ -109,11 +110,15 @@ class SimulatorTest {
         assertThat(endpoint.hasEnded()).isFalse();
         assertThat(endpoint.end()).isEmpty();
         assertThat(
-                client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)).digest())
+                client
+                    .check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF), Set.of())
+                    .digest())
             .hasSize(64);
         byte[] other = "<mujoco/>".getBytes(UTF_8);
         assertThatThrownBy(
-                () -> client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", other)))
+                () ->
+                    client.check(
+                        "w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", other), Set.of()))
             .hasMessageContaining("PERMISSION_DENIED");
         assertThatThrownBy(() -> client.openEndpoint("e9", "0", null))
             .hasMessageContaining("UNIMPLEMENTED");
@@ -146,7 +151,7 @@ class SimulatorTest {
   /** Digest of the camera image, or the status code if this machine cannot render. */
   private static String picture(BuildSimulator simulator, Map<String, byte[]> files)
       throws Exception {
-    simulator.check("w.world.yaml", files);
+    simulator.check("w.world.yaml", files, Set.of());
     WorldSource.Builder source = WorldSource.newBuilder().setDescription("w.world.yaml");
     files.forEach((path, content) -> source.putFiles(path, ByteString.copyFrom(content)));
     try (SimulatorEndpoint endpoint = simulator.open()) {
@@ -192,7 +197,9 @@ class SimulatorTest {
           SimulatorClient client = new SimulatorClient(endpoint.target())) {
         assertThat(endpoint.end()).isEmpty();
         assertThat(
-                client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)).digest())
+                client
+                    .check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF), Set.of())
+                    .digest())
             .hasSize(64);
       }
     }
@@ -208,7 +215,8 @@ class SimulatorTest {
               SimulatorClient client = new SimulatorClient(endpoint.target())) {
             assertThat(
                     client
-                        .check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF))
+                        .check(
+                            "w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF), Set.of())
                         .stepNanos())
                 .isPositive();
           }
@@ -223,7 +231,9 @@ class SimulatorTest {
     try (Simulator simulators = started(0);
         BuildSimulator simulator = simulators.forBuild()) {
       assertThatThrownBy(
-              () -> simulator.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", oops)))
+              () ->
+                  simulator.check(
+                      "w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", oops), Set.of()))
           .isInstanceOf(WorldException.class)
           .hasMessageContaining("oops");
       check(simulator);

@@ -90,7 +90,7 @@ public final class Simulation implements AutoCloseable {
   private volatile int caseNo;
 
   /** How a case is prepared. */
-  private record Prepared(Map<String, Double> parameters, Duration settle) {}
+  private record Prepared(Map<String, Double> parameters, Duration settle, Duration callAfter) {}
 
   private Simulation(
       ManagedChannel channel,
@@ -177,11 +177,25 @@ public final class Simulation implements AutoCloseable {
    * @param settle simulation time that passes after the parameters are set
    */
   public void prepare(Map<String, Double> parameters, Duration settle) {
-    Prepared current = new Prepared(parameters, settle);
+    prepare(parameters, settle, Duration.ZERO);
+  }
+
+  /**
+   * As {@link #prepare(Map, Duration)}, with a call that begins later.
+   *
+   * @param callAfter simulation time between the end of settling and the call, from which the
+   *     onsets of faults count
+   */
+  public void prepare(Map<String, Double> parameters, Duration settle, Duration callAfter) {
+    Prepared current = new Prepared(parameters, settle, callAfter);
     synchronized (acting) {
       pendingPreparation = null;
+      // Worlds in bulk show faults as if the call began now.
       Optional<FrozenWorld> known =
-          preparation.world(parameters, settle.toNanos(), time.stepsIn(settle) * timestepNanos);
+          callAfter.isZero()
+              ? preparation.world(
+                  parameters, settle.toNanos(), time.stepsIn(settle) * timestepNanos)
+              : Optional.empty();
       if (known.isPresent()) {
         pendingPreparation = current;
         show(known.get());
@@ -333,6 +347,7 @@ public final class Simulation implements AutoCloseable {
             .setSessionId(session)
             .putAllParameters(prepared.parameters())
             .setSettleNs(prepared.settle().toNanos())
+            .setCallAfterNs(prepared.callAfter().toNanos())
             .setCaseNo(caseNo)
             .build();
     freeze(

@@ -102,7 +102,8 @@ record SimulationControlView(
             ", ", plan.settings().stream().map(s -> CppText.string(s.setting().name())).toList());
     String values =
         String.join(", ", plan.settings().stream().map(CppPlan.Setting::local).toList());
-    String settle = plan.isPeriodic() ? "std::chrono::nanoseconds(0)" : "settleTime";
+    // A component that is executed periodically settles after the preparation.
+    String settle = plan.isPeriodic() ? "std::chrono::nanoseconds(0), settleTime" : "settleTime";
     return CppText.list(
         2,
         ahead ? "simulation_.prepareAhead(" : "simulation_.prepare(",

@@ -2,6 +2,7 @@ package org.sitaf.core.harness.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
@@ -12,6 +13,8 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.fault.FaultKind;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -162,6 +165,22 @@ public final class HarnessPlanner {
         || type.parts().stream().anyMatch(HarnessPlanner::holdsUnknown);
   }
 
+  private static World.Setting fault(FaultName name) {
+    boolean isTime = name.part() == FaultName.Part.AT || name.part() == FaultName.Part.FOR;
+    boolean isTruth = name.part() == FaultName.Part.FAULT && name.kind().isSwitch();
+    boolean isUnlimited =
+        name.part() == FaultName.Part.VALUE
+            || name.kind() == FaultKind.OFFSET
+            || name.kind() == FaultKind.SCALE;
+    return new World.Setting(
+        name.text(),
+        isTime || name.kind() == FaultKind.DELAY ? "s" : "1",
+        isUnlimited && !isTime ? Double.NEGATIVE_INFINITY : 0,
+        isTruth || (!isTime && name.kind() == FaultKind.INTERMITTENT)
+            ? 1
+            : Double.POSITIVE_INFINITY);
+  }
+
   private @Nullable World world() {
     WorldDescription description = activity.world();
     List<World.Setting> settings = new ArrayList<>();
@@ -169,7 +188,10 @@ public final class HarnessPlanner {
       if (parameter.kind() != InputKind.TDSD) {
         continue;
       }
-      if (description == null || description.parameter(parameter.name()).isEmpty()) {
+      Optional<FaultName> fault = FaultName.find(parameter.name());
+      if (description != null && fault.isPresent()) {
+        settings.add(fault(fault.get()));
+      } else if (description == null || description.parameter(parameter.name()).isEmpty()) {
         diagnostics.error(
             model.source(),
             0,

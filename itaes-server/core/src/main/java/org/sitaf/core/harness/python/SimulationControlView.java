@@ -33,7 +33,9 @@ record SimulationControlView(
                     .toList(),
                 "}")
             .at(8);
-    String call = "self._simulation.prepare(parameters" + (plan.isPeriodic() ? ")" : ", SETTLE)");
+    String call =
+        "self._simulation.prepare(parameters"
+            + (plan.isPeriodic() ? ", call_after_s=SETTLE)" : ", SETTLE)");
     List<String> documentation = new ArrayList<>();
     documentation.add(
         plan.isPeriodic()
