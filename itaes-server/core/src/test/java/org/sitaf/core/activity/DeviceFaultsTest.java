@@ -198,7 +198,7 @@ class DeviceFaultsTest {
                 read(
                     element("fault.ir1.dropout", "1") + element("fault.ir1.dropout.at", "3"),
                     "fault.ir1.dropout.end")))
-        .containsExactly("inf");
+        .containsExactly("Infinity");
   }
 
   @Test

@@ -19,7 +19,7 @@ constexpr std::chrono::nanoseconds period = std::chrono::milliseconds(10);
 SimulationControl::SimulationControl(runtime::TestRun& run) : simulation_(run.simulation()) {}
 
 void SimulationControl::prepare(double distance) {
-  simulation_.prepare({"Distance"}, {distance}, std::chrono::nanoseconds(0));
+  simulation_.prepare({"Distance"}, {distance}, std::chrono::nanoseconds(0), settleTime);
 }
 
 void SimulationControl::settle(const std::function<void()>& execute) {
