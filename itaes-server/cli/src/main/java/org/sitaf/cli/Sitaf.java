@@ -2,6 +2,7 @@ package org.sitaf.cli;
 
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import org.sitaf.cli.campaign.CampaignCommand;
 import org.sitaf.cli.compare.CompareCommand;
 import org.sitaf.cli.describe.DescribeCommand;
 import org.sitaf.cli.explain.ExplainCommand;
@@ -29,6 +30,7 @@ import picocli.CommandLine.ExitCode;
       HarnessCommand.class,
       RunCommand.class,
       FalsifyCommand.class,
+      CampaignCommand.class,
       CompareCommand.class,
       ExplainCommand.class,
       ReplayCommand.class,

@@ -185,7 +185,8 @@ class DeviceFaultsTest {
             expected(
                 read(
                     all,
-                    "fault.ir1.dropout == 1 ? fault.ir1.dropout.end + fault.ir1.range.offset : 0.0")))
+                    "fault.ir1.dropout == 1 ? fault.ir1.dropout.end + fault.ir1.range.offset :"
+                        + " 0.0")))
         .containsExactly("0.0", "4.0");
     assertThat(
             expected(

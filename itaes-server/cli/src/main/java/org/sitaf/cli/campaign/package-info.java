@@ -1,0 +1,5 @@
+/** The command {@code campaign}. */
+@NullMarked
+package org.sitaf.cli.campaign;
+
+import org.jspecify.annotations.NullMarked;
