@@ -127,9 +127,7 @@ class Simulation:
             return None
         return f"the case took more than {self._limit_ns / _NANOS:g} s of simulation time"
 
-    def prepare(
-        self, parameters: Mapping[str, float], settle_s: float = 0.0, *, call_after_s: float = 0.0
-    ) -> None:
+    def prepare(self, parameters: Mapping[str, float], settle_s: float = 0.0, *, call_after_s: float = 0.0) -> None:
         """Prepare a case from a reset, and let it settle.
 
         `parameters` are in the unit of each parameter of the world; others get their default. The onsets of faults
