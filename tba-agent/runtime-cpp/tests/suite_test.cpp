@@ -92,6 +92,16 @@ TEST_CASE("a record with any text is one line") {
         "<processing_time unit=\"us\" hardware=\"0.250\" stub=\"0.000\">1.500</processing_time></case_record>\n");
 }
 
+TEST_CASE("a record of a step is one line") {
+  const sitaf::suite::TestStep step(4, 2, "Read", true, std::make_shared<const std::vector<std::string>>(), {});
+  CaseResult result(step);
+  result.beganAt(std::chrono::milliseconds(100));
+  result.record("return", 5);
+  CHECK(result.line() ==
+        "<step_record no=\"4\" step=\"2\" name=\"Read\" outcome=\"RETURNED\" at_ns=\"100000000\"><actual name=\"return\">5</actual>"
+        "</step_record>\n");
+}
+
 TEST_CASE("repeated calls have times in nanoseconds and the first difference") {
   const TestCase testCase = oneCase({}, {});
   const auto called = [&testCase](int value, double micros) {
@@ -141,6 +151,27 @@ TEST_CASE("a missing part is null, and so is the return of a void method") {
   CHECK(result.line() ==
         "<case_record no=\"7\" outcome=\"RETURNED\"><actual name=\"path[0]\">0.5</actual><actual name=\"path[1]\">null</actual>"
         "<actual name=\"return\">null</actual></case_record>\n");
+}
+
+TEST_CASE("the steps of a sequence are read") {
+  const std::string head =
+      "<test_suite_data><case_param_info><param name=\"a\"/></case_param_info><step_param_info><step name=\"Read\"><param "
+      "name=\"i\"/></step>"
+      "<step name=\"Nears\"/></step_param_info><case_list><case no=\"4\"><value>5</value><step name=\"Read\" class=\"invalid\">";
+  const std::string tail = "<expected>0</expected></step><step name=\"Nears\"/></case></case_list></test_suite_data>";
+  sitaf::suite::SuiteReader reader(write(head + "<value>-1</value>" + tail));
+  REQUIRE(reader.next());
+  CHECK(reader.current().value<int>("a") == 5);
+  const std::vector<sitaf::suite::TestStep>& steps = reader.current().steps();
+  REQUIRE(steps.size() == 2);
+  CHECK(steps[0].name() == "Read");
+  CHECK(steps[0].number() == 1);
+  CHECK(!steps[0].valid());
+  CHECK(steps[0].value<int>("i") == -1);
+  CHECK(steps[1].name() == "Nears");
+  CHECK(steps[1].valid());
+  sitaf::suite::SuiteReader incomplete(write(head + tail));
+  CHECK_THROWS_WITH_AS(incomplete.next(), doctest::Contains("step 1 (Read) of case 4 has 0 values for 1 parameters"), CaseDataError);
 }
 
 TEST_CASE("a suite is read case by case, and ahead") {

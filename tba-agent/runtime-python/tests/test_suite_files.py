@@ -41,6 +41,33 @@ def test_cases_are_read_in_order(tmp_path):
         cases[0].read("c", STRING)
 
 
+SEQUENCE = (
+    '<test_suite_data><case_param_info><param name="a"/></case_param_info>'
+    '<step_param_info><step name="Read"><param name="i"/></step><step name="Nears"/></step_param_info><case_list>'
+    '<case no="4"><value>5</value><step name="Read" class="invalid"><value>-1</value><expected>0</expected></step>'
+    '<step name="Nears"/></case></case_list></test_suite_data>'
+)
+
+
+def test_a_sequence_has_steps(tmp_path):
+    (case,) = read(tmp_path, SEQUENCE)
+    assert dict(case.values) == {"a": "5"}
+    assert [(s.no, s.number, s.name, s.valid, dict(s.values)) for s in case.steps] == [
+        (4, 1, "Read", False, {"i": "-1"}),
+        (4, 2, "Nears", True, {}),
+    ]
+    record = CaseResult(case.steps[0])
+    record.began_at(100_000_000)
+    assert record.line() == (
+        b'<step_record no="4" step="1" name="Read" outcome="RETURNED" at_ns="100000000"></step_record>\n'
+    )
+
+
+def test_a_step_without_all_of_its_values_is_rejected(tmp_path):
+    with pytest.raises(CaseDataError, match=r"step 1 \(Read\) of case 4 has 0 values for 1 parameters"):
+        read(tmp_path, SEQUENCE.replace("<value>-1</value>", ""))
+
+
 def test_a_long_suite_is_read_to_its_end(tmp_path):
     assert len(read(tmp_path, HEAD + CASE * 5000 + "</case_list></test_suite_data>")) == 5000
 

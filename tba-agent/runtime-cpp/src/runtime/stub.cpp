@@ -14,6 +14,7 @@ constexpr std::size_t maxRecordedCalls = 1000;
 void Stubbing::begin(const std::vector<std::string>& methods) {
   const std::lock_guard<std::mutex> lock(mutex_);
   calls_ = {};
+  numbers_.clear();
   for (const std::string& method : methods) {
     calls_.counts[method] = 0;
   }
@@ -29,7 +30,8 @@ Stubbing::Stubbing(TestRun& run, Raise raise) : run_(run), raise_(raise) {
 
 std::size_t Stubbing::add(suite::StubCall call) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::size_t number = ++calls_.counts[call.method];
+  ++calls_.counts[call.method];
+  const std::size_t number = ++numbers_[call.method];
   if (calls_.first.size() < maxRecordedCalls) {
     calls_.first.push_back(std::move(call));
   }

@@ -9,6 +9,7 @@
 #include "runtime/command_line.hpp"
 #include "runtime/crash_reports.hpp"
 #include "runtime/thrown.hpp"
+#include "sitaf/runtime/sequence_driver.hpp"
 #include "sitaf/runtime/suite_driver.hpp"
 #include "suite/results_file.hpp"
 #include "suite/suite_reader.hpp"
@@ -81,7 +82,7 @@ class TestRun::State {
       requireSimulator();
       return;
     }
-    if (simulation && stopwatch.wasStarted()) {
+    if (simulation && (stopwatch.wasStarted() || inSequence_)) {
       simulation->keepSignals(suite.current().no());
     }
     requireSimulator();
@@ -91,6 +92,36 @@ class TestRun::State {
     if (!repetition_) {
       results.save(result);
     }
+  }
+
+  bool runStep(Sequence& sequence, const suite::TestStep& step) {
+    suite::CaseResult result(step);
+    if (simulation) {
+      if (!inSequence_) {
+        simulation->callBegins();
+      }
+      result.beganAt(simulation->sinceCall());
+    }
+    inSequence_ = true;
+    stopwatch.reset();
+    bool goesOn = true;
+    try {
+      sequence.runStep(step, result);
+      if (stopwatch.wasStarted()) {
+        result.setTime(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+      }
+    } catch (const simulation::CaseTooLong&) {
+      goesOn = false;
+      end(result, std::current_exception());
+    } catch (...) {
+      end(result, std::current_exception());
+    }
+    requireSimulator();
+    if (addition) {
+      addition(result);
+    }
+    results.save(result);
+    return goesOn;
   }
 
   /// Throws when the simulator was lost, because later measurements are invalid.
@@ -153,6 +184,7 @@ class TestRun::State {
 
   void call(Driver& driver, const suite::TestCase& testCase, suite::CaseResult& result) {
     stopwatch.reset();
+    inSequence_ = false;
     try {
       if (!driver.runAndSave(testCase, result)) {
         throw CannotRun("the test driver ended case " + std::to_string(testCase.no()) + " without save(result)");
@@ -209,6 +241,8 @@ class TestRun::State {
   const std::optional<Repetition> repetition_;
   /// Whether the current call is repeated, so that only its time and its outputs count.
   bool repeating_ = false;
+  /// Whether a step of the current case has begun.
+  bool inSequence_ = false;
 
  public:
   Stopwatch stopwatch;
@@ -236,6 +270,15 @@ suite::Upcoming& TestRun::upcoming() { return state_.suite; }
 void TestRun::beforeSaving(std::function<void(suite::CaseResult&)> addition) { state_.addition = std::move(addition); }
 
 void TestRun::save(suite::CaseResult& result) { state_.save(result); }
+
+bool TestRun::runStep(Sequence& sequence, const suite::TestStep& step) { return state_.runStep(sequence, step); }
+
+void TestRun::endSteps() { state_.stopwatch.reset(); }
+
+void Driver::saveSequence(suite::CaseResult& result) {
+  run_.save(result);
+  saved_ = true;
+}
 
 bool Driver::runAndSave(const suite::TestCase& testCase, suite::CaseResult& result) {
   saved_ = false;

@@ -198,9 +198,28 @@ class Simulation::Session : public Simulator {
     }
   }
 
-  void caseBegins(int no) { caseNo_ = no; }
+  void caseBegins(int no) {
+    caseNo_ = no;
+    called_ = false;
+  }
 
-  void callBegins() { callTime_ = world_.time(); }
+  void callBegins() {
+    if (!called_) {
+      called_ = true;
+      callTime_ = world_.time();
+    }
+  }
+
+  std::chrono::nanoseconds sinceCall() const { return world_.time() - callTime_; }
+
+  void set(const std::string& parameter, double value) {
+    const std::lock_guard<std::recursive_mutex> lock(acting_);
+    updateSession();
+    wire::SetParametersRequest request;
+    request.set_session_id(created_.session_id());
+    (*request.mutable_values())[parameter] = value;
+    world_.freeze(wire_.control("setting " + parameter + " to " + suite::literals::write(value), &Control::SetParameters, request).state());
+  }
 
   void keepSignals(int no) {
     if (!created_.keeps_signals()) {
@@ -373,6 +392,7 @@ class Simulation::Session : public Simulator {
   bool alone_ = false;
   std::chrono::nanoseconds callTime_{0};
   int caseNo_ = 0;
+  bool called_ = false;
 };
 
 Simulation::Simulation(const std::string& target, const std::string& worldDescription, std::uint64_t seed, runtime::Stopwatch& stopwatch)
@@ -413,6 +433,10 @@ void Simulation::record(const std::string& folder) { session_->record(folder); }
 void Simulation::caseBegins(int no) { session_->caseBegins(no); }
 
 void Simulation::callBegins() { session_->callBegins(); }
+
+std::chrono::nanoseconds Simulation::sinceCall() const { return session_->sinceCall(); }
+
+void Simulation::set(const std::string& parameter, double value) { session_->set(parameter, value); }
 
 void Simulation::keepSignals(int no) { session_->keepSignals(no); }
 

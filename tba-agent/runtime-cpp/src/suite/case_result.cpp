@@ -87,7 +87,7 @@ std::string CaseResult::ending() const {
 }
 
 std::string CaseResult::line() const {
-  RecordLine line(testCase_.no(), outcome_);
+  RecordLine line = step_ == nullptr ? RecordLine(testCase_.no(), outcome_) : RecordLine(*step_, outcome_, at_);
   if (outcome_ == Outcome::threw) {
     line.thrown(thrown_);
   }

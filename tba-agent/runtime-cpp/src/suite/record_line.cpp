@@ -56,7 +56,16 @@ bool isXml(std::uint32_t c) { return (c >= 0x20 && c <= 0xD7FF) || (c >= 0xE000 
 
 }  // namespace
 
-RecordLine::RecordLine(int no, Outcome outcome) {
+RecordLine::RecordLine(const TestStep& step, Outcome outcome, std::chrono::nanoseconds at) : root_("step_record") {
+  xml_.reserve(512);
+  xml_ += "<step_record no=\"" + std::to_string(step.no()) + "\" step=\"" + std::to_string(step.number()) + "\" name=\"";
+  escape(step.name());
+  xml_ += "\" outcome=\"";
+  xml_ += nameOf(outcome);
+  xml_ += "\" at_ns=\"" + std::to_string(at.count()) + "\">";
+}
+
+RecordLine::RecordLine(int no, Outcome outcome) : root_("case_record") {
   xml_.reserve(512);
   xml_ += "<case_record no=\"" + std::to_string(no) + "\" outcome=\"";
   xml_ += nameOf(outcome);
@@ -120,7 +129,7 @@ void RecordLine::message(std::string_view text) {
 }
 
 std::string RecordLine::close() {
-  xml_ += "</case_record>\n";
+  xml_ += std::string("</") + root_ + ">\n";
   return std::move(xml_);
 }
 

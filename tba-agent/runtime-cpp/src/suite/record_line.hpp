@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -7,16 +8,20 @@
 
 #include "sitaf/suite/outcome.hpp"
 #include "sitaf/suite/stub_call.hpp"
+#include "sitaf/suite/test_case.hpp"
 
 namespace sitaf::suite {
 
-/// Prints one `case_record` element on one line (docs/test-application.md, The record of a case).
+/// Prints one `case_record` or `step_record` element on one line (docs/test-application.md, The record of a case).
 ///
 /// Line breaks and tabs within values are written as character references. A character that XML cannot hold, and a byte that is not UTF-8,
 /// is written as `\u0000`; backslashes are not escaped.
 class RecordLine {
  public:
   RecordLine(int no, Outcome outcome);
+
+  /// The record of a step; `at` is the simulation time since the first step of the case.
+  RecordLine(const TestStep& step, Outcome outcome, std::chrono::nanoseconds at);
 
   /// The name of the exception's type, without its scope.
   void thrown(std::string_view type) { element("thrown", "", type); }
@@ -41,6 +46,7 @@ class RecordLine {
   void escape(std::string_view text);
 
   std::string xml_;
+  const char* root_;
 };
 
 }  // namespace sitaf::suite

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <map>
 #include <system_error>
 
 namespace sitaf::suite {
@@ -129,9 +130,13 @@ class SuiteReader::Document {
       fail("<" + element + "> is unknown inside a value");
     } else if (inCase_) {
       // Expected values are skipped: only the agent uses them.
+      if (element == "step" && !inStep_) {
+        startStep(attributes);
+        return;
+      }
       collecting_ = element == "value" || element == "expected";
       if (!collecting_) {
-        fail("<" + element + "> is unknown inside <case>");
+        fail("<" + element + "> is unknown inside <" + (inStep_ ? "step" : "case") + ">");
       }
       collected_.clear();
     } else if (inCases_ && element == "case") {
@@ -140,21 +145,60 @@ class SuiteReader::Document {
       const char* name = attribute(attributes, "name");
       if (name == nullptr) {
         fail("<param> has no attribute 'name'");
-      } else if (std::find(names_.begin(), names_.end(), name) != names_.end()) {
+      } else if (std::find(declared_->begin(), declared_->end(), name) != declared_->end()) {
         fail("two parameters are named '" + std::string(name) + "'");
       } else {
-        names_.emplace_back(name);
+        declared_->emplace_back(name);
+      }
+    } else if (!inCases_ && element == "step") {
+      const char* name = attribute(attributes, "name");
+      if (name == nullptr) {
+        fail("<step> has no attribute 'name'");
+      } else {
+        declared_ = &namesOfSteps_[name];
       }
     } else if (element == "case_list") {
       inCases_ = true;
       shared_ = std::make_shared<const std::vector<std::string>>(names_);
+      for (const auto& [name, names] : namesOfSteps_) {
+        sharedOfSteps_[name] = std::make_shared<const std::vector<std::string>>(names);
+      }
     }
+  }
+
+  void startStep(const char** attributes) {
+    const char* name = attribute(attributes, "name");
+    if (name == nullptr) {
+      fail("<step> has no attribute 'name'");
+      return;
+    }
+    inStep_ = true;
+    stepName_ = name;
+    const char* kind = attribute(attributes, "class");
+    stepValid_ = kind == nullptr || std::strcmp(kind, "invalid") != 0;
+    stepValues_.clear();
+  }
+
+  void endStep() {
+    static const auto none = std::make_shared<const std::vector<std::string>>();
+    inStep_ = false;
+    const auto found = sharedOfSteps_.find(stepName_);
+    const TestCase::Names names = found == sharedOfSteps_.end() ? none : found->second;
+    const int number = static_cast<int>(steps_.size()) + 1;
+    if (stepValues_.size() != names->size()) {
+      fail("step " + std::to_string(number) + " (" + stepName_ + ") of case " + std::to_string(no_) + " has " +
+           std::to_string(stepValues_.size()) + " values for " + std::to_string(names->size()) + " parameters");
+      return;
+    }
+    steps_.emplace_back(no_, number, stepName_, stepValid_, names, std::move(stepValues_));
+    stepValues_ = {};
   }
 
   void startCase(const char** attributes) {
     inCase_ = true;
     ++casesRead_;
     values_.clear();
+    steps_.clear();
     values_.reserve(names_.size());
     const char* number = attribute(attributes, "no");
     const char* kind = attribute(attributes, "class");
@@ -173,20 +217,27 @@ class SuiteReader::Document {
     --depth_;
     if (collecting_) {
       collecting_ = false;
-      if (element == "value") {
+      if (element == "value" && inStep_) {
+        stepValues_.push_back(collected_);
+      } else if (element == "value") {
         if (values_.size() == names_.size()) {
           fail("case " + std::to_string(no_) + " has more values than the suite has parameters");
         }
         values_.push_back(collected_);
       }
+    } else if (inStep_ && element == "step") {
+      endStep();
+    } else if (!inCases_ && element == "step") {
+      declared_ = &names_;
     } else if (inCase_ && element == "case") {
       inCase_ = false;
       if (values_.size() < names_.size()) {
         fail("case " + std::to_string(no_) + " has " + std::to_string(values_.size()) + " values for " + std::to_string(names_.size()) +
              " parameters");
       } else {
-        queue_.emplace_back(no_, valid_, shared_, std::move(values_));
+        queue_.emplace_back(no_, valid_, shared_, std::move(values_), std::move(steps_));
         values_ = {};
+        steps_ = {};
       }
     }
   }
@@ -198,6 +249,11 @@ class SuiteReader::Document {
   std::deque<TestCase> queue_;
   std::vector<std::string> names_;
   TestCase::Names shared_;
+  /// Names of the parameters of each call of a sequence.
+  std::map<std::string, std::vector<std::string>> namesOfSteps_;
+  std::map<std::string, TestCase::Names> sharedOfSteps_;
+  /// Where the next <param> belongs.
+  std::vector<std::string>* declared_ = &names_;
   bool begun_ = false;
   bool done_ = false;
   bool inCases_ = false;
@@ -209,6 +265,11 @@ class SuiteReader::Document {
   bool valid_ = true;
   std::string collected_;
   std::vector<std::string> values_;
+  bool inStep_ = false;
+  bool stepValid_ = true;
+  std::string stepName_;
+  std::vector<std::string> stepValues_;
+  std::vector<TestStep> steps_;
 };
 
 SuiteReader::SuiteReader(const std::string& path) : document_(std::make_unique<Document>(path)) {}

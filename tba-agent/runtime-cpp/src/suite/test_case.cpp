@@ -2,6 +2,18 @@
 
 namespace sitaf::suite {
 
+TestCase::TestCase(int no, bool valid, Names names, std::vector<std::string> values, std::vector<TestStep> steps)
+    : no_(no),
+      valid_(valid),
+      names_(std::move(names)),
+      values_(std::move(values)),
+      steps_(std::make_shared<const std::vector<TestStep>>(std::move(steps))) {}
+
+const std::vector<TestStep>& TestCase::steps() const {
+  static const std::vector<TestStep> none;
+  return steps_ == nullptr ? none : *steps_;
+}
+
 bool TestCase::has(std::string_view parameter) const {
   for (const std::string& name : *names_) {
     if (name == parameter) {

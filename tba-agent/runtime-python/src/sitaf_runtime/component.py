@@ -24,12 +24,13 @@ def snake_case(name: str) -> str:
     return _WORD.sub("_", name).lower()
 
 
-def create(type_: type[C], available: Sequence[Any]) -> C:
+def create(type_: type[C], available: Sequence[Any], inputs: dict[str, Any] | None = None) -> C:
     """Create a component; its constructor gets the available objects that it needs.
 
     A parameter is matched by its annotation (`Hardware`, a required interface), otherwise by its name (`hardware`, or
-    the name of the interface, ignoring case and underscores). Other parameters keep their default. Raises
-    CannotRunError when such a parameter has none, and what the constructor raises.
+    the name of the interface, ignoring case and underscores). A parameter with the name of an input gets its value, and
+    the input is removed from `inputs`. Other parameters keep their default. Raises CannotRunError when such a parameter
+    has none, and what the constructor raises.
     """
     lacking: frozenset[str] = getattr(type_, "__abstractmethods__", frozenset())
     if lacking:
@@ -39,6 +40,9 @@ def create(type_: type[C], available: Sequence[Any]) -> C:
     named: dict[str, Any] = {}
     for parameter in _parameters(type_):
         offered = [o for o in available if _asks_for(parameter, _hints(type_), o)]
+        same = [n for n in inputs or () if _plain(n) == _plain(parameter.name)]
+        if same and inputs:
+            offered = [inputs.pop(same[0])]
         if offered and parameter.kind is inspect.Parameter.POSITIONAL_ONLY:
             positional.append(offered[0])
         elif offered:
@@ -52,6 +56,11 @@ def create(type_: type[C], available: Sequence[Any]) -> C:
                 " Give it a default, annotate it with its type, or write an adapter"
             )
     return type_(*positional, **named)
+
+
+def _plain(name: str) -> str:
+    """A name without underscores and in lower case."""
+    return name.replace("_", "").lower()
 
 
 def _parameters(type_: type) -> list[inspect.Parameter]:
@@ -122,6 +131,24 @@ def set_property(component: object, name: str, value: str) -> None:
     raise CannotRunError(
         f"{_named(type(component))} has neither set_property(name, value) nor set_{snake_case(name)}(value) nor an"
         f" attribute {snake_case(name)} for the property '{name}' of activity.yaml"
+    )
+
+
+def set_input(component: object, name: str, value: Any) -> None:
+    """Set a property to a value of its own type; see `set_property`."""
+    camel = name[:1].upper() + name[1:]
+    for setter in (f"set_{snake_case(name)}", f"set{camel}", f"Set{camel}", f"set_{name}"):
+        method = getattr(component, setter, None)
+        if callable(method):
+            method(value)
+            return
+    for attribute in (name, snake_case(name), name[:1].lower() + name[1:]):
+        if attribute.isidentifier() and not attribute.startswith("_") and hasattr(component, attribute):
+            setattr(component, attribute, value)
+            return
+    raise CannotRunError(
+        f"{_named(type(component))} has neither a constructor parameter {name} nor set_{snake_case(name)}(value) nor an"
+        f" attribute {snake_case(name)} for the input '{name}' of the test model"
     )
 
 

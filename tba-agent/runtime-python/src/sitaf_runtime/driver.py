@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 from sitaf_runtime import component as components
@@ -64,9 +64,16 @@ class SuiteDriver(ABC, Generic[C]):
             self.begin(self._component)
         return self._component
 
-    def make(self, type_: type[C], *stubs: object) -> C:
-        """Create a component; its constructor gets the hardware and the stubs that it needs."""
-        return components.create(type_, [*stubs, *self._run.hardware()])
+    def make(self, type_: type[C], *stubs: object, inputs: Mapping[str, object] | None = None) -> C:
+        """Create a component; its constructor gets the hardware, the stubs and the inputs that it needs.
+
+        Inputs that the constructor does not take are set as properties.
+        """
+        left = dict(inputs or {})
+        component = components.create(type_, [*stubs, *self._run.hardware()], left)
+        for name, value in left.items():
+            components.set_input(component, name, value)
+        return component
 
     def begin(self, component: C) -> None:
         """Initialise and start a component if its class has the methods; repeated calls do nothing."""
@@ -102,6 +109,11 @@ class SuiteDriver(ABC, Generic[C]):
         self._run.save(result)
         self._saved = True
 
+    def save_sequence(self, result: CaseResult) -> None:
+        """Write the end of a sequence, whose steps have their own times."""
+        self._run.save(result)
+        self._saved = True
+
     @property
     def is_saved(self) -> bool:
         """Whether the result of the current case was saved."""
@@ -115,8 +127,9 @@ class SuiteDriver(ABC, Generic[C]):
 
     def give_up(self) -> None:
         """Wait for the end of a nonblocking call that is still running."""
-        if self._pending is not None:
-            self._pending.give_up()
+        pending, self._pending = self._pending, None
+        if pending is not None:
+            pending.give_up()
 
     def end_case(self) -> None:
         """Stop and close the component if it is created for each case."""

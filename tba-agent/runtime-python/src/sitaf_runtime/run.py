@@ -27,10 +27,11 @@ from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.stub import Stubbing
 from sitaf_runtime.suite.reader import SuiteReader
 from sitaf_runtime.suite.result import CaseResult, Outcome, ResultsFile
-from sitaf_runtime.suite.test_case import TestCase
+from sitaf_runtime.suite.test_case import TestCase, TestStep
 from sitaf_runtime.thrown import describe
 
 if TYPE_CHECKING:
+    from sitaf_runtime.sequence import SequenceDriver
     from sitaf_runtime.simulation.session import Simulation
 
 EXIT_DONE = 0
@@ -53,6 +54,8 @@ class TestRun:
         self._simulation: Simulation | None = None
         self._case_no = 0
         self._repetition = command.repetition
+        # Whether a step of the current case has begun.
+        self._in_sequence = False
         # Whether the current call is repeated, so that only its time and its outputs count.
         self._repeating = False
         if command.bridge is not None and command.world is not None:
@@ -98,7 +101,8 @@ class TestRun:
 
     def _keep_signals(self) -> None:
         """Let the simulator keep the signals of the current case, if it was called."""
-        if self._simulation is not None and self.stopwatch.was_started and not self._repeating:
+        called = self.stopwatch.was_started or self._in_sequence
+        if self._simulation is not None and called and not self._repeating:
             self._simulation.keep_signals(self._case_no)
 
     def _require_simulator(self) -> None:
@@ -194,6 +198,7 @@ class TestRun:
 
     def _call(self, driver: SuiteDriver[Any], case: TestCase, result: CaseResult) -> None:
         self.stopwatch.reset()
+        self._in_sequence = False
         driver.begin_case()
         try:
             try:
@@ -206,15 +211,50 @@ class TestRun:
             if driver.is_saved:
                 _report(f"after case {case.no}: {describe(raised)}")
             else:
-                self._end(result, case, raised)
+                self._end(result, raised)
         finally:
             if self._simulation is not None and not self._repeating:
                 simulation = self._simulation
                 _closing(f"recording case {case.no}", lambda: simulation.save_motion(case.no))
             _closing(f"closing the component after case {case.no}", driver.end_case)
 
-    def _end(self, result: CaseResult, case: TestCase, raised: BaseException) -> None:
-        """Complete the record of a case that did not save its result. Raises when no further case can run."""
+    def run_step(self, driver: SequenceDriver[Any], step: TestStep) -> bool:
+        """Execute a step of a sequence and write its record. An exception ends the step, not the sequence.
+
+        Returns whether the next step can be executed: not when the case took too much simulation time. Raises when no
+        further case can run.
+        """
+        result = CaseResult(step)
+        if self._simulation is not None:
+            if not self._in_sequence:
+                self._simulation.call_begins()
+            result.began_at(self._simulation.since_call_ns)
+        self._in_sequence = True
+        watch = self.stopwatch
+        watch.reset()
+        try:
+            driver.run_step(step, result)
+            if watch.was_started:
+                result.set_time(watch.component_us, watch.hardware_us, watch.stub_us)
+            if self.took_too_long:
+                result.end_with(Outcome.ERROR, self.took_too_long)
+        except BaseException as raised:
+            self._fail(result, raised)
+        finally:
+            driver.give_up()
+        self._require_simulator()
+        result.set_calls(self.stubbing.calls, self.stubbing.left_out)
+        self.stubbing.begin()
+        self.results.save(result)
+        return not self.took_too_long
+
+    def _end(self, result: CaseResult, raised: BaseException) -> None:
+        """Save the record of a case that did not save its result. Raises when no further case can run."""
+        self._fail(result, raised)
+        self.save(result)
+
+    def _fail(self, result: CaseResult, raised: BaseException) -> None:
+        """Complete the record of a case or step that did not end as planned."""
         watch = self.stopwatch
         called = watch.was_started
         self._require_simulator()
@@ -234,7 +274,6 @@ class TestRun:
             result.end_with(Outcome.NOT_CALLED, str(raised))
         else:
             result.end_with(Outcome.ERROR, describe(raised))
-        self.save(result)
 
 
 def execute(arguments: list[str], factory: Callable[[TestRun], SuiteDriver[Any]]) -> int:

@@ -47,6 +47,8 @@ class Stubbing {
   Raise raise_;
   std::mutex mutex_;
   suite::StubCalls calls_;
+  /// Number of calls of each method in the case, which has a record for each step if it is a sequence.
+  std::map<std::string, std::size_t> numbers_;
 };
 
 /// A call of the component to a required interface; its lifetime counts as time in stubs.

@@ -48,6 +48,9 @@ class Driver {
   /// Writes the result of the case, with the time of its call, to the results file.
   void save(suite::CaseResult& result);
 
+  /// Writes the end of a sequence, whose steps have their own times.
+  void saveSequence(suite::CaseResult& result);
+
   TestRun& run() { return run_; }
 
   /// Starts a nonblocking call; it is measured on its own thread.

@@ -27,6 +27,7 @@ inline void flushCoverage() {
 }  // namespace detail
 
 class Driver;
+class Sequence;
 
 /// Runs a suite in this process: reads the cases, passes each to the test driver, and writes a record of every case, even when
 /// the component fails.
@@ -58,6 +59,13 @@ class TestRun {
 
   /// Writes a result to the results file.
   void save(suite::CaseResult& result);
+
+  /// Executes a step of a sequence and writes its record. An exception ends the step, not the sequence. Returns whether the next step can
+  /// be executed: not when the case took too much simulation time. Throws when no further case can run.
+  bool runStep(Sequence& sequence, const suite::TestStep& step);
+
+  /// The steps of a sequence have ended; what fails from now on is not a call.
+  void endSteps();
 
  private:
   friend int start(int, char**, const Factory&, void (*)());

@@ -80,8 +80,14 @@ class Simulation {
   /// A case begins, which the simulator notes when it is prepared.
   void caseBegins(int no);
 
-  /// The call under test begins now.
+  /// The call under test begins now. Only the first one of a case counts.
   void callBegins();
+
+  /// Simulation time since the first call of the case.
+  std::chrono::nanoseconds sinceCall() const;
+
+  /// Sets a parameter of the world in the running case, in its unit.
+  void set(const std::string& parameter, double value);
 
   /// Lets the simulator keep the signals of the current case for the agent, if the agent wants signals. A failure is reported by the agent,
   /// which misses the signals.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -14,11 +15,17 @@
 
 namespace sitaf::suite {
 
-/// The record of a case. The test driver fills it in and saves it; the agent adds expected values and verdicts.
+/// The record of a case or of a step. The test driver fills it in and saves it; the agent adds expected values and verdicts.
 class CaseResult {
  public:
   /// Creates an empty record of a case; the case must live as long as the record.
   explicit CaseResult(const TestCase& testCase) : testCase_(testCase) {}
+
+  /// Creates an empty record of a step; the step must live as long as the record.
+  explicit CaseResult(const TestStep& step) : testCase_(step), step_(&step) {}
+
+  /// Sets when a step began: simulation time since the first step of the case.
+  void beganAt(std::chrono::nanoseconds time) { at_ = time; }
 
   /// Sets the processing time in microseconds; `component` excludes the other two.
   void setTime(double component, double hardware, double stub);
@@ -71,6 +78,8 @@ class CaseResult {
   std::string ending() const;
 
   const TestCase& testCase_;
+  const TestStep* step_ = nullptr;
+  std::chrono::nanoseconds at_{0};
   std::vector<std::pair<std::string, std::string>> actual_;
   bool timed_ = false;
   double component_ = 0;

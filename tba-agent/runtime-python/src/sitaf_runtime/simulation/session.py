@@ -95,6 +95,7 @@ class Simulation:
         # Whether the simulator samples signals for the agent; worlds that are prepared in bulk have none.
         self._keeps_signals: bool = created.keeps_signals
         self._call_ns = 0
+        self._called = False
         self._case_no = 0
         if self._keeps_signals:
             self._ahead.stop()
@@ -208,10 +209,25 @@ class Simulation:
     def case_begins(self, no: int) -> None:
         """A case begins, which the simulator notes when it is prepared."""
         self._case_no = no
+        self._called = False
 
     def call_begins(self) -> None:
-        """The call under test begins now."""
-        self._call_ns = self._hardware.world.time_ns
+        """The call under test begins now. Only the first one of a case counts."""
+        if not self._called:
+            self._called = True
+            self._call_ns = self._hardware.world.time_ns
+
+    @property
+    def since_call_ns(self) -> int:
+        """Simulation time since the first call of the case."""
+        return self._hardware.world.time_ns - self._call_ns
+
+    def set(self, parameter: str, value: float) -> None:
+        """Set a parameter of the world in the running case, in its unit."""
+        self._update_session()
+        request = pb.SetParametersRequest(session_id=self._session, values={parameter: value})
+        what = f"setting {parameter} to {value:g}"
+        self._hardware.world = self._layout.freeze(self._ask(what, self._control.SetParameters, request).state)
 
     def keep_signals(self, no: int) -> None:
         """Let the simulator keep the signals of the current case for the agent, if the agent wants signals.

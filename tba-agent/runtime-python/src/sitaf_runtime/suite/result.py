@@ -10,7 +10,7 @@ from typing import Any
 from sitaf_runtime.suite import channel, literals
 from sitaf_runtime.suite.calls import StubCall
 from sitaf_runtime.suite.kinds import Kind
-from sitaf_runtime.suite.test_case import TestCase
+from sitaf_runtime.suite.test_case import TestCase, TestStep
 
 # In characters; messages of a component's exceptions may have any length.
 _MAX_MESSAGE_LENGTH = 8000
@@ -36,13 +36,14 @@ class Outcome(enum.Enum):
 
 
 class CaseResult:
-    """The record of a case.
+    """The record of a case or of a step.
 
     The test driver fills it in and saves it. It contains neither expected values nor verdicts, which the agent adds.
     """
 
     __slots__ = (
         "_actual",
+        "_at_ns",
         "_calls",
         "_calls_left_out",
         "_case",
@@ -67,6 +68,11 @@ class CaseResult:
         self._notes: list[str] = []
         self._repeated_ns: list[int] | None = None
         self._differs = ""
+        self._at_ns = 0
+
+    def began_at(self, at_ns: int) -> None:
+        """Set when a step began: simulation time in nanoseconds since the first step of the case."""
+        self._at_ns = at_ns
 
     def set_time(self, component: float, hardware: float, stub: float) -> None:
         """Set the processing time in microseconds; `component` excludes the other two."""
@@ -143,7 +149,14 @@ class CaseResult:
 
     def line(self) -> bytes:
         """The record as one line of XML (docs/test-application.md, The record of a case), ending with a line feed."""
-        parts = [f'<case_record no="{self._case.no}" outcome="{self._outcome.name}">']
+        case = self._case
+        if isinstance(case, TestStep):
+            root = "step_record"
+            step = f' step="{case.number}" name="{_escaped(case.name)}"'
+            at = f' at_ns="{self._at_ns}"'
+        else:
+            root, step, at = "case_record", "", ""
+        parts = [f'<{root} no="{case.no}"{step} outcome="{self._outcome.name}"{at}>']
         if self._outcome is Outcome.THREW:
             parts.append(f"<thrown>{_escaped(self._thrown)}</thrown>")
         parts += [_value("actual", name, literal) for name, literal in self._actual.items()]
@@ -163,7 +176,7 @@ class CaseResult:
         if self._message:
             parts.append(f"<message>{_escaped(_shortened(self._message))}</message>")
         parts += [f"<note>{_escaped(_shortened(note))}</note>" for note in self._notes[:_MOST_NOTES]]
-        parts.append("</case_record>\n")
+        parts.append(f"</{root}>\n")
         return "".join(parts).encode()
 
 

@@ -1,6 +1,6 @@
 """One test case."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from sitaf_runtime.errors import CaseDataError
@@ -13,15 +13,17 @@ class TestCase:
     """Values by the names of the suite's parameters.
 
     `no` is its number in the suite, `valid` whether it has no invalid value; `values` are literals by parameter.
+    `steps` are those of a sequence.
     """
 
-    __slots__ = ("no", "valid", "values")
+    __slots__ = ("no", "steps", "valid", "values")
     __test__ = False  # not a test of pytest
 
-    def __init__(self, no: int, valid: bool, values: Mapping[str, str]) -> None:
+    def __init__(self, no: int, valid: bool, values: Mapping[str, str], steps: "Sequence[TestStep]" = ()) -> None:
         self.no = no
         self.valid = valid
         self.values = values
+        self.steps = steps
 
     def read(self, parameter: str, kind: Kind[T]) -> T:
         """Get a value. Raises CaseDataError when the suite has no such parameter or the type cannot hold its value."""
@@ -51,6 +53,20 @@ class TestCase:
                 f"the suite has no parameter '{parameter}'; it has {', '.join(self.values)}:"
                 " generate the test application again"
             ) from e
+
+
+class TestStep(TestCase):
+    """A step of a sequence: a call with its values, or an event without values.
+
+    `number` is that of the step in its case, from 1; `name` is the call or event of the test model.
+    """
+
+    __slots__ = ("name", "number")
+
+    def __init__(self, no: int, number: int, name: str, valid: bool, values: Mapping[str, str]) -> None:
+        super().__init__(no, valid, values)
+        self.number = number
+        self.name = name
 
 
 def _put(whole: Any, kind: Kind[Any], path: tuple[str | int, ...], read: Callable[[Kind[Any]], Any]) -> None:

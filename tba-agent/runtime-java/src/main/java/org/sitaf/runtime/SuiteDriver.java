@@ -122,6 +122,25 @@ public abstract class SuiteDriver<C> {
     saved = true;
   }
 
+  /** Writes the end of a sequence, whose steps have their own times. */
+  final void saveSequence(CaseResult result) throws IOException {
+    run.save(result);
+    saved = true;
+  }
+
+  final TestRun run() {
+    return run;
+  }
+
+  /** Ends a nonblocking call whose outcome was not collected. */
+  final void giveUpCall() throws InterruptedException {
+    NonblockingCall<?> begunCall = pending;
+    pending = null;
+    if (begunCall != null) {
+      begunCall.giveUp();
+    }
+  }
+
   /** Runs a case and returns whether its result was saved. */
   final boolean runAndSave(TestCase testCase, CaseResult result) throws Exception {
     saved = false;
@@ -129,10 +148,7 @@ public abstract class SuiteDriver<C> {
     try {
       runCase(testCase, result);
     } finally {
-      NonblockingCall<?> begunCall = pending;
-      if (begunCall != null) {
-        begunCall.giveUp();
-      }
+      giveUpCall();
     }
     return saved;
   }

@@ -18,6 +18,7 @@ import org.sitaf.runtime.suite.Outcome;
 import org.sitaf.runtime.suite.ResultsFile;
 import org.sitaf.runtime.suite.SuiteReader;
 import org.sitaf.runtime.suite.TestCase;
+import org.sitaf.runtime.suite.TestStep;
 
 /**
  * Runs a suite in this process: reads the cases, passes each to the test driver, and writes a
@@ -34,6 +35,9 @@ public final class TestRun {
 
   /** Whether the current call is repeated, so that only its time and its outputs count. */
   private boolean repeating;
+
+  /** Whether a step of the current case has begun. */
+  private boolean inSequence;
 
   private final Stopwatch stopwatch = new Stopwatch();
   private final CommandLine command;
@@ -157,7 +161,7 @@ public final class TestRun {
       return;
     }
     if (simulation != null) {
-      if (stopwatch.wasStarted()) {
+      if (stopwatch.wasStarted() || inSequence) {
         simulation.keepSignals(currentNo);
       }
       simulation.requireNotLost();
@@ -248,6 +252,7 @@ public final class TestRun {
       throws IOException {
     stopwatch.reset();
     stubbing.begin();
+    inSequence = false;
     try {
       if (!driver.runAndSave(testCase, result)) {
         throw new CannotRunException(
@@ -270,6 +275,53 @@ public final class TestRun {
   }
 
   /**
+   * Executes a step of a sequence and writes its record. An exception ends the step, not the
+   * sequence.
+   *
+   * @return whether the next step can be executed: not when the case took too much simulation time
+   * @throws RuntimeException when no further case can run
+   */
+  <C> boolean runStep(SequenceDriver<C> driver, TestStep step, CaseResult result)
+      throws IOException, InterruptedException {
+    if (simulation != null) {
+      if (!inSequence) {
+        simulation.callBegins();
+      }
+      result.beganAt(simulation.sinceCall());
+    }
+    inSequence = true;
+    stopwatch.reset();
+    boolean goesOn = true;
+    try {
+      driver.runStep(step, result);
+      if (stopwatch.wasStarted()) {
+        setTime(result);
+      }
+    } catch (Throwable thrown) {
+      goesOn = !(thrown instanceof CaseTooLongException);
+      end(result, thrown);
+    } finally {
+      driver.giveUpCall();
+    }
+    if (simulation != null) {
+      simulation.requireNotLost();
+    }
+    stubbing.writeTo(result);
+    stubbing.begin();
+    results.save(result);
+    return goesOn;
+  }
+
+  /** The steps of a sequence have ended; what fails from now on is not a call. */
+  void endSteps() {
+    stopwatch.reset();
+  }
+
+  private void setTime(CaseResult result) {
+    result.setTime(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+  }
+
+  /**
    * Completes the record of a case that did not save its result.
    *
    * @throws RuntimeException the given exception, when no further case can run
@@ -284,8 +336,7 @@ public final class TestRun {
       result.endWith(Outcome.ERROR, String.valueOf(tooLong.getMessage()));
     } else if (stopwatch.isRunning()) {
       stopwatch.stop();
-      result.setTime(
-          stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+      setTime(result);
       result.threw(thrown, ThrownByComponent.describe(thrown));
     } else if (thrown instanceof CannotRunException cannotRun) {
       throw cannotRun;

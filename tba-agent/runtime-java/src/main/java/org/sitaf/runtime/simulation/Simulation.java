@@ -36,6 +36,7 @@ import org.sitaf.sim.v1.ReadDevicesRequest;
 import org.sitaf.sim.v1.Reading;
 import org.sitaf.sim.v1.RecordMotionRequest;
 import org.sitaf.sim.v1.RenewSessionRequest;
+import org.sitaf.sim.v1.SetParametersRequest;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.SimulationControlGrpc.SimulationControlBlockingStub;
 import org.sitaf.sim.v1.StepSimulationRequest;
@@ -88,6 +89,7 @@ public final class Simulation implements AutoCloseable {
 
   private volatile long callNanos;
   private volatile int caseNo;
+  private volatile boolean called;
 
   /** How a case is prepared. */
   private record Prepared(Map<String, Double> parameters, Duration settle, Duration callAfter) {}
@@ -295,11 +297,35 @@ public final class Simulation implements AutoCloseable {
   /** A case begins, which the simulator notes when it is prepared. */
   public void caseBegins(int no) {
     caseNo = no;
+    called = false;
   }
 
-  /** The call under test begins now. */
+  /** The call under test begins now. Only the first one of a case counts. */
   public void callBegins() {
-    callNanos = world.timeNanos();
+    if (!called) {
+      called = true;
+      callNanos = world.timeNanos();
+    }
+  }
+
+  /** Simulation time in nanoseconds since the first call of the case. */
+  public long sinceCall() {
+    return world.timeNanos() - callNanos;
+  }
+
+  /**
+   * Sets a parameter of the world in the running case.
+   *
+   * @param value in the unit of the parameter
+   */
+  public void set(String parameter, double value) {
+    updateSession();
+    SetParametersRequest request =
+        SetParametersRequest.newBuilder().setSessionId(session).putValues(parameter, value).build();
+    freeze(
+        ask(
+            "setting " + parameter + " to " + value,
+            () -> stub(channel).setParameters(request).getState()));
   }
 
   /**

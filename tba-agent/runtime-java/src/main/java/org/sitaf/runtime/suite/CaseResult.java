@@ -9,8 +9,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The record of a case. The test driver fills it in and saves it; it contains neither expected
- * values nor verdicts, which the agent adds.
+ * The record of a case or of a step. The test driver fills it in and saves it; it contains neither
+ * expected values nor verdicts, which the agent adds.
  */
 public final class CaseResult {
   /** Longest value in the text about a difference, in characters. */
@@ -27,6 +27,7 @@ public final class CaseResult {
   private String thrown = "";
   private String message = "";
   private @Nullable RepeatedCalls repeated;
+  private long atNanos;
 
   /** An empty record of a case. */
   public CaseResult(TestCase testCase) {
@@ -104,6 +105,11 @@ public final class CaseResult {
     return outcome == Outcome.RETURNED || outcome == Outcome.THREW;
   }
 
+  /** Sets when a step began: simulation time in nanoseconds since the first step of the case. */
+  public void beganAt(long nanos) {
+    atNanos = nanos;
+  }
+
   /** From now on, repeated calls of the case are added. */
   public void beginRepeated() {
     repeated = new RepeatedCalls();
@@ -156,7 +162,10 @@ public final class CaseResult {
 
   /** The record as one line of XML that ends with a line feed. */
   String line() {
-    RecordLine line = new RecordLine(testCase.no(), outcome);
+    RecordLine line =
+        testCase instanceof TestStep step
+            ? new RecordLine(step, outcome, atNanos)
+            : new RecordLine(testCase.no(), outcome);
     if (outcome == Outcome.THREW) {
       line.thrown(thrown);
     }

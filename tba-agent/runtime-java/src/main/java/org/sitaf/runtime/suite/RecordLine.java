@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Prints one {@code case_record} element on one line (docs/test-application.md, The record of a
- * case).
+ * Prints one {@code case_record} or {@code step_record} element on one line
+ * (docs/test-application.md, The record of a case).
  *
  * <p>Line breaks and tabs within values are written as character references. A character that XML
  * cannot hold is written as {@code &#92;u0000}; backslashes are not escaped.
@@ -15,13 +15,32 @@ final class RecordLine {
   private static final int MAX_MESSAGE_LENGTH = 8000;
 
   private final StringBuilder xml = new StringBuilder(256);
+  private final String root;
 
+  /** The record of a case. */
   RecordLine(int no, Outcome outcome) {
+    root = "case_record";
     xml.append("<case_record no=\"")
         .append(no)
         .append("\" outcome=\"")
         .append(outcome)
         .append("\">");
+  }
+
+  /**
+   * The record of a step.
+   *
+   * @param atNanos simulation time since the first step of the case
+   */
+  RecordLine(TestStep step, Outcome outcome, long atNanos) {
+    root = "step_record";
+    xml.append("<step_record no=\"")
+        .append(step.no())
+        .append("\" step=\"")
+        .append(step.number())
+        .append("\" name=\"");
+    escape(step.name());
+    xml.append("\" outcome=\"").append(outcome).append("\" at_ns=\"").append(atNanos).append("\">");
   }
 
   /** The name of the exception's type, without its package. */
@@ -90,7 +109,7 @@ final class RecordLine {
   }
 
   String close() {
-    return xml.append("</case_record>\n").toString();
+    return xml.append("</").append(root).append(">\n").toString();
   }
 
   private void element(String element, String name, String content) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +27,7 @@ public final class SuiteReader implements AutoCloseable {
   private final XMLStreamReader xml;
   private final String document;
   private final List<String> parameters = new ArrayList<>();
+  private final Map<String, List<String>> parametersOfSteps = new HashMap<>();
   private final Deque<TestCase> ahead = new ArrayDeque<>();
   private @Nullable CaseDataException failure;
   private int casesRead;
@@ -118,18 +120,25 @@ public final class SuiteReader implements AutoCloseable {
 
   private void readHead() throws XMLStreamException {
     boolean isSuite = false;
+    List<String> current = parameters;
     while (xml.hasNext()) {
-      if (advance() != XMLStreamConstants.START_ELEMENT) {
+      int event = advance();
+      if (event == XMLStreamConstants.END_ELEMENT && xml.getLocalName().equals("step")) {
+        current = parameters;
+      }
+      if (event != XMLStreamConstants.START_ELEMENT) {
         continue;
       }
       switch (xml.getLocalName()) {
         case "test_suite_data" -> isSuite = true;
+        case "step" ->
+            current = parametersOfSteps.computeIfAbsent(attribute("name"), k -> new ArrayList<>());
         case "param" -> {
           String name = attribute("name");
-          if (parameters.contains(name)) {
+          if (current.contains(name)) {
             throw problem("two parameters are named '" + name + "'");
           }
-          parameters.add(name);
+          current.add(name);
         }
         case "case_list" -> {
           if (isSuite) {
@@ -152,6 +161,7 @@ public final class SuiteReader implements AutoCloseable {
     int no = number == null ? casesRead : (int) Literals.whole(number, 1, Integer.MAX_VALUE);
     boolean valid = !"invalid".equals(xml.getAttributeValue(null, "class"));
     Map<String, String> values = new LinkedHashMap<>();
+    List<TestStep> steps = new ArrayList<>();
     while (true) {
       int event = advance();
       if (event == XMLStreamConstants.END_ELEMENT) {
@@ -169,20 +179,47 @@ public final class SuiteReader implements AutoCloseable {
         }
         // Only the agent uses expected values.
         case "expected" -> xml.getElementText();
+        case "step" -> steps.add(readStep(no, steps.size() + 1));
         default -> throw problem("<" + xml.getLocalName() + "> is unknown inside <case>");
       }
     }
-    if (values.size() < parameters.size()) {
-      throw problem(
-          "case "
-              + no
-              + " has "
-              + values.size()
-              + " values for "
-              + parameters.size()
-              + " parameters");
+    requireAll("case " + no, values, parameters);
+    return new TestCase(no, valid, values, steps);
+  }
+
+  private TestStep readStep(int no, int number) throws XMLStreamException {
+    String name = attribute("name");
+    boolean valid = !"invalid".equals(xml.getAttributeValue(null, "class"));
+    List<String> names = parametersOfSteps.getOrDefault(name, List.of());
+    String what = "step " + number + " (" + name + ") of case " + no;
+    Map<String, String> values = new LinkedHashMap<>();
+    while (true) {
+      int event = advance();
+      if (event == XMLStreamConstants.END_ELEMENT) {
+        break;
+      }
+      if (event != XMLStreamConstants.START_ELEMENT) {
+        continue;
+      }
+      switch (xml.getLocalName()) {
+        case "value" -> {
+          if (values.size() == names.size()) {
+            throw problem(what + " has more values than its call has parameters");
+          }
+          values.put(names.get(values.size()), xml.getElementText());
+        }
+        case "expected" -> xml.getElementText();
+        default -> throw problem("<" + xml.getLocalName() + "> is unknown inside <step>");
+      }
     }
-    return new TestCase(no, valid, values);
+    requireAll(what, values, names);
+    return new TestStep(no, number, name, valid, values);
+  }
+
+  private void requireAll(String what, Map<String, String> values, List<String> names) {
+    if (values.size() < names.size()) {
+      throw problem(what + " has " + values.size() + " values for " + names.size() + " parameters");
+    }
   }
 
   private int advance() throws XMLStreamException {

@@ -14,10 +14,11 @@ import org.jspecify.annotations.Nullable;
  * <p>The accessors throw {@link CaseDataException} when the suite has no such parameter, or when
  * the type cannot hold its value.
  */
-public final class TestCase {
+public class TestCase {
   private final int no;
   private final boolean valid;
   private final Map<String, String> values;
+  private final List<TestStep> steps;
 
   /**
    * A case.
@@ -25,62 +26,77 @@ public final class TestCase {
    * @param values literals by parameter, in the suite's order
    */
   public TestCase(int no, boolean valid, Map<String, String> values) {
+    this(no, valid, values, List.of());
+  }
+
+  /**
+   * A case that is a sequence of calls and events.
+   *
+   * @param values initial literals by parameter, in the suite's order
+   */
+  public TestCase(int no, boolean valid, Map<String, String> values, List<TestStep> steps) {
     this.no = no;
     this.valid = valid;
     this.values = new LinkedHashMap<>(values);
+    this.steps = List.copyOf(steps);
   }
 
   /** Its number in the suite. */
-  public int no() {
+  public final int no() {
     return no;
   }
 
+  /** The steps of a sequence; none if the case is a single call. */
+  public final List<TestStep> steps() {
+    return steps;
+  }
+
   /** Whether it has no invalid value. */
-  public boolean valid() {
+  public final boolean valid() {
     return valid;
   }
 
-  public byte byteValue(String parameter) {
+  public final byte byteValue(String parameter) {
     return (byte) whole(parameter, Byte.MIN_VALUE, Byte.MAX_VALUE);
   }
 
-  public short shortValue(String parameter) {
+  public final short shortValue(String parameter) {
     return (short) whole(parameter, Short.MIN_VALUE, Short.MAX_VALUE);
   }
 
-  public int intValue(String parameter) {
+  public final int intValue(String parameter) {
     return (int) whole(parameter, Integer.MIN_VALUE, Integer.MAX_VALUE);
   }
 
-  public long longValue(String parameter) {
+  public final long longValue(String parameter) {
     return whole(parameter, Long.MIN_VALUE, Long.MAX_VALUE);
   }
 
-  public BigInteger bigIntegerValue(String parameter) {
+  public final BigInteger bigIntegerValue(String parameter) {
     return read(parameter, Literals::big);
   }
 
-  public float floatValue(String parameter) {
+  public final float floatValue(String parameter) {
     return (float) doubleValue(parameter);
   }
 
-  public double doubleValue(String parameter) {
+  public final double doubleValue(String parameter) {
     return read(parameter, Literals::real);
   }
 
-  public boolean booleanValue(String parameter) {
+  public final boolean booleanValue(String parameter) {
     return read(parameter, Literals::parseBoolean);
   }
 
-  public char charValue(String parameter) {
+  public final char charValue(String parameter) {
     return read(parameter, Literals::parseCharacter);
   }
 
-  public String stringValue(String parameter) {
+  public final String stringValue(String parameter) {
     return literal(parameter);
   }
 
-  public byte[] byteArray(String parameter) {
+  public final byte[] byteArray(String parameter) {
     List<Long> elements = wholes(parameter, Byte.MIN_VALUE, Byte.MAX_VALUE);
     byte[] array = new byte[elements.size()];
     for (int i = 0; i < array.length; i++) {
@@ -89,7 +105,7 @@ public final class TestCase {
     return array;
   }
 
-  public short[] shortArray(String parameter) {
+  public final short[] shortArray(String parameter) {
     List<Long> elements = wholes(parameter, Short.MIN_VALUE, Short.MAX_VALUE);
     short[] array = new short[elements.size()];
     for (int i = 0; i < array.length; i++) {
@@ -98,23 +114,23 @@ public final class TestCase {
     return array;
   }
 
-  public int[] intArray(String parameter) {
+  public final int[] intArray(String parameter) {
     return wholes(parameter, Integer.MIN_VALUE, Integer.MAX_VALUE).stream()
         .mapToInt(Long::intValue)
         .toArray();
   }
 
-  public long[] longArray(String parameter) {
+  public final long[] longArray(String parameter) {
     return wholes(parameter, Long.MIN_VALUE, Long.MAX_VALUE).stream()
         .mapToLong(Long::longValue)
         .toArray();
   }
 
-  public BigInteger[] bigIntegerArray(String parameter) {
+  public final BigInteger[] bigIntegerArray(String parameter) {
     return elements(parameter, Literals::big).toArray(BigInteger[]::new);
   }
 
-  public float[] floatArray(String parameter) {
+  public final float[] floatArray(String parameter) {
     double[] elements = doubleArray(parameter);
     float[] array = new float[elements.length];
     for (int i = 0; i < array.length; i++) {
@@ -123,11 +139,11 @@ public final class TestCase {
     return array;
   }
 
-  public double[] doubleArray(String parameter) {
+  public final double[] doubleArray(String parameter) {
     return elements(parameter, Literals::real).stream().mapToDouble(Double::doubleValue).toArray();
   }
 
-  public boolean[] booleanArray(String parameter) {
+  public final boolean[] booleanArray(String parameter) {
     List<Boolean> elements = elements(parameter, Literals::parseBoolean);
     boolean[] array = new boolean[elements.size()];
     for (int i = 0; i < array.length; i++) {
@@ -136,7 +152,7 @@ public final class TestCase {
     return array;
   }
 
-  public char[] charArray(String parameter) {
+  public final char[] charArray(String parameter) {
     List<Character> elements = elements(parameter, Literals::parseCharacter);
     char[] array = new char[elements.size()];
     for (int i = 0; i < array.length; i++) {
@@ -145,12 +161,12 @@ public final class TestCase {
     return array;
   }
 
-  public String[] stringArray(String parameter) {
+  public final String[] stringArray(String parameter) {
     return elements(parameter, Function.identity()).toArray(String[]::new);
   }
 
   /** A value of a generated type: an enumeration, a record, or an array. */
-  public <T> T value(String parameter, Class<T> type) {
+  public final <T> T value(String parameter, Class<T> type) {
     return type.cast(read(parameter, literal -> Conversion.convert(literal, type)));
   }
 
@@ -161,7 +177,7 @@ public final class TestCase {
    * @param type the boxed type
    * @param unset the value when the suite has none, or only a delay
    */
-  public <T> Answers<T> answers(String name, Class<T> type, @Nullable T unset) {
+  public final <T> Answers<T> answers(String name, Class<T> type, @Nullable T unset) {
     Map<Integer, Answer<T>> fromCall = new HashMap<>();
     for (String parameter : values.keySet()) {
       boolean first = parameter.equals(name);

@@ -37,6 +37,41 @@ class SuiteReaderTest {
   }
 
   @Test
+  void readsTheStepsOfASequence() throws IOException {
+    List<TestCase> cases =
+        read(
+            """
+            <test_suite_data><name>s</name><case_param_info><param name="Distance"/></case_param_info>
+              <step_param_info><step name="Read"><param name="Index"/></step><step name="Nears"/></step_param_info>
+              <case_list><case no="4"><value>5.0</value>
+                <step name="Read" class="invalid"><value>-1</value><expected>0</expected></step><step name="Nears"/>
+              </case></case_list></test_suite_data>\
+            """);
+    assertThat(cases).hasSize(1);
+    assertThat(cases.get(0).doubleValue("Distance")).isEqualTo(5.0);
+    List<TestStep> steps = cases.get(0).steps();
+    assertThat(steps.stream().map(TestStep::name)).containsExactly("Read", "Nears");
+    assertThat(steps.stream().map(TestStep::number)).containsExactly(1, 2);
+    assertThat(steps.get(0).no()).isEqualTo(4);
+    assertThat(steps.get(0).valid()).isFalse();
+    assertThat(steps.get(0).intValue("Index")).isEqualTo(-1);
+    assertThat(steps.get(1).valid()).isTrue();
+  }
+
+  @Test
+  void rejectsAStepWithoutAllOfItsValues() {
+    assertThatThrownBy(
+            () ->
+                read(
+                    """
+                    <test_suite_data><step_param_info><step name="Read"><param name="Index"/></step></step_param_info>
+                    <case_list><case no="4"><step name="Read"/></case></case_list></test_suite_data>\
+                    """))
+        .isInstanceOf(CaseDataException.class)
+        .hasMessageContaining("step 1 (Read) of case 4 has 0 values for 1 parameters");
+  }
+
+  @Test
   void readsValuesByParameterName() throws IOException {
     List<TestCase> cases =
         read(
