@@ -1,12 +1,10 @@
 package org.sitaf.core.harness;
 
-import java.util.List;
 import java.util.Map;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
-import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.cpp.CppHarness;
@@ -70,15 +68,6 @@ public final class InterfaceTestApplicationGenerator {
    * @throws InvalidInputException as {@link #generate}
    */
   public static FileTree sources(Activity activity, TestModel model, TestSuite suite) {
-    if (model.sequence() != null) {
-      throw new InvalidInputException(
-          List.of(
-              Diagnostic.error(
-                  model.source(),
-                  model.sequence().line(),
-                  "sequence_spec",
-                  "sequences can be generated but not executed yet; use ./sitaf generate")));
-    }
     if (activity.ros() != null) {
       return RosHarness.write(activity, model, suite);
     }

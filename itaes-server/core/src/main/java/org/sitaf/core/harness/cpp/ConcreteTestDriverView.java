@@ -15,11 +15,11 @@ record ConcreteTestDriverView(
     String documentation,
     List<String> properties,
     List<String> before,
-    String callHead,
-    String call) {
+    List<Call> calls) {
+  /** A method that makes a call. */
+  record Call(String documentation, String head, String statement) {}
 
   static ConcreteTestDriverView of(CppPlan plan) {
-    boolean returns = !plan.plan().returnsNothing();
     List<DataType> types = new ArrayList<>();
     plan.plan().before().forEach(c -> c.method().parameters().forEach(p -> types.add(p.type())));
     return new ConcreteTestDriverView(
@@ -28,7 +28,16 @@ record ConcreteTestDriverView(
         documentation(plan),
         properties(plan),
         before(plan),
-        plan.callHead(2, "", "call", " override {"),
+        plan.calls().stream().map(c -> call(c, plan.isSequence())).toList());
+  }
+
+  private static Call call(CppPlan plan, boolean inSequence) {
+    boolean returns = !plan.plan().returnsNothing();
+    return new Call(
+        inSequence
+            ? TestDriverView.callDocumentation(plan)
+            : "  /// Calls the method under test. Only this call is timed.",
+        plan.callHead(2, "", " override {"),
         CppText.list(
             4,
             (returns ? "return " : "") + "component." + plan.plan().method().name() + "(",
@@ -51,23 +60,24 @@ record ConcreteTestDriverView(
     plan.plan()
         .component()
         .properties()
-        .forEach(
-            (name, value) -> {
-              String setter = "set" + Words.raised(name);
-              statements.add(
-                  CppText.list(
-                      4,
-                      "runtime::setProperty(",
-                      List.of(
-                          "*component",
-                          CppText.string(name),
-                          CppText.string(value),
-                          CppNames.isName(setter)
-                              ? "SITAF_SETTER(" + setter + ")"
-                              : "runtime::NoSetter{}"),
-                      ");"));
-            });
+        .forEach((name, value) -> statements.add(property(name, CppText.string(value))));
+    for (String name : plan.properties()) {
+      statements.add(property(name, "currentCase().literal(" + CppText.string(name) + ").c_str()"));
+    }
     return statements;
+  }
+
+  private static String property(String name, String value) {
+    String setter = "set" + Words.raised(name);
+    return CppText.list(
+        4,
+        "runtime::setProperty(",
+        List.of(
+            "*component",
+            CppText.string(name),
+            value,
+            CppNames.isName(setter) ? "SITAF_SETTER(" + setter + ")" : "runtime::NoSetter{}"),
+        ");");
   }
 
   private static List<String> before(CppPlan plan) {

@@ -48,6 +48,11 @@ final class CppChecks {
   void check(HarnessPlan plan) {
     className(plan.component().className());
     method(plan.interfaceName(), plan.method());
+    HarnessPlan.Sequence sequence = plan.sequence();
+    if (sequence != null) {
+      sequence.calls().forEach(c -> method(c.call().interfaceName(), c.call().method()));
+      sequence.calls().forEach(c -> ports(c.call()));
+    }
     plan.before().forEach(call -> method(HarnessPlanner.PROFILE, call.method()));
     if (plan.component().adapter() != null) {
       for (InterfaceDescription provided : plan.provided()) {
@@ -62,6 +67,12 @@ final class CppChecks {
           stub.name(),
           stub.methods().stream().map(HarnessPlan.StubMethod::method).toList());
     }
+    ports(plan);
+    plan.types().forEach(type -> declared(plan, type));
+    plan.errors().forEach(error -> type(plan.interfaceName(), error, "error"));
+  }
+
+  private void ports(HarnessPlan plan) {
     for (HarnessPlan.Output output : plan.outputs()) {
       if (output.source() instanceof Source.DataPort port && !CppNames.isName(port.port())) {
         diagnostics.error(
@@ -71,8 +82,6 @@ final class CppChecks {
             "is not a valid C++ method name");
       }
     }
-    plan.types().forEach(type -> declared(plan, type));
-    plan.errors().forEach(error -> type(plan.interfaceName(), error, "error"));
   }
 
   private void methods(String source, String interfaceName, List<Method> methods) {

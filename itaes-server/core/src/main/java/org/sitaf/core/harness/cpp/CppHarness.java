@@ -47,6 +47,7 @@ public final class CppHarness implements HarnessWriter {
     CppPlan planned = CppPlan.of(plan, header.get());
     String folder = planned.namespace() + "/";
     Map<String, byte[]> files = new HashMap<>();
+    boolean sequence = planned.isSequence();
     for (String extension : new String[] {".hpp", ".cpp"}) {
       files.put(
           folder + "SimulationControl" + extension,
@@ -55,7 +56,9 @@ public final class CppHarness implements HarnessWriter {
           folder + "TestStub" + extension, print("TestStub" + extension, TestStubView.of(planned)));
       files.put(
           folder + "TestDriver" + extension,
-          print("TestDriver" + extension, TestDriverView.of(planned)));
+          sequence
+              ? print("SequenceDriver" + extension, SequenceDriverView.of(planned))
+              : print("TestDriver" + extension, TestDriverView.of(planned)));
     }
     files.put(folder + CONCRETE, print(CONCRETE, ConcreteTestDriverView.of(planned)));
     interfaces(plan, files);

@@ -18,6 +18,8 @@ import org.sitaf.core.harness.plan.Words;
  * @param plan language-independent plan
  * @param namespace innermost namespace
  * @param header header that declares the component
+ * @param callName name of the driver's method that makes the call
+ * @param steps of a sequence; empty if a case is one call
  */
 record CppPlan(
     HarnessPlan plan,
@@ -25,7 +27,44 @@ record CppPlan(
     String header,
     List<Argument> arguments,
     List<Setting> settings,
-    List<Stub> stubs) {
+    List<Stub> stubs,
+    String callName,
+    List<Step> steps) {
+
+  /**
+   * A step of a sequence.
+   *
+   * @param method name of the driver's method that executes it
+   * @param call the plan of a call; null for an event
+   * @param event null for a call
+   */
+  record Step(
+      String name, String method, @Nullable CppPlan call, HarnessPlan.@Nullable EventStep event) {}
+
+  /** Whether a case is a sequence of steps. */
+  boolean isSequence() {
+    return !steps.isEmpty();
+  }
+
+  /** The plans of the calls: those of a sequence, or this one. */
+  List<CppPlan> calls() {
+    List<CppPlan> calls = new ArrayList<>();
+    for (Step step : steps) {
+      CppPlan call = step.call();
+      if (call != null) {
+        calls.add(call);
+      }
+    }
+    return steps.isEmpty() ? List.of(this) : calls;
+  }
+
+  /** The inputs that are properties of the component. */
+  List<String> properties() {
+    HarnessPlan.Sequence sequence = plan.sequence();
+    return sequence == null
+        ? List.of()
+        : sequence.properties().stream().map(HarnessPlan.Given::column).toList();
+  }
 
   /** An argument of the call under test and its local variable. */
   record Argument(HarnessPlan.Argument argument, String local) {
@@ -71,6 +110,10 @@ record CppPlan(
   record Answer(HarnessPlan.Answer answer, String local) {}
 
   static CppPlan of(HarnessPlan plan, String header) {
+    return of(plan, header, "call");
+  }
+
+  private static CppPlan of(HarnessPlan plan, String header, String callName) {
     CppNames locals = new CppNames();
     List<Argument> arguments =
         plan.arguments().stream().map(a -> new Argument(a, locals.local(a.name()))).toList();
@@ -88,7 +131,33 @@ record CppPlan(
                     new Stub(s, s.name() + "Stub", members.local(s.name()), stubMethods(s, locals)))
             .toList();
     return new CppPlan(
-        plan, CppNames.namespace(plan.modelName()), header, arguments, settings, stubs);
+        plan,
+        CppNames.namespace(plan.modelName()),
+        header,
+        arguments,
+        settings,
+        stubs,
+        callName,
+        steps(plan, header));
+  }
+
+  private static List<Step> steps(HarnessPlan plan, String header) {
+    HarnessPlan.Sequence sequence = plan.sequence();
+    List<Step> steps = new ArrayList<>();
+    if (sequence == null) {
+      return steps;
+    }
+    CppNames methods = new CppNames();
+    for (HarnessPlan.CallStep step : sequence.calls()) {
+      String suffix = Words.raised(methods.local(step.name()));
+      steps.add(
+          new Step(step.name(), "step" + suffix, of(step.call(), header, "call" + suffix), null));
+    }
+    for (HarnessPlan.EventStep step : sequence.events()) {
+      String suffix = Words.raised(methods.local(step.name()));
+      steps.add(new Step(step.name(), "event" + suffix, null, step));
+    }
+    return steps;
   }
 
   private static List<StubMethod> stubMethods(HarnessPlan.Stub stub, CppNames locals) {
@@ -149,7 +218,8 @@ record CppPlan(
   }
 
   boolean observes() {
-    return plan.outputs().stream()
+    return calls().stream()
+        .flatMap(c -> c.plan.outputs().stream())
         .anyMatch(o -> o.source() instanceof HarnessPlan.Source.Observation);
   }
 
@@ -163,15 +233,17 @@ record CppPlan(
   }
 
   /** The declaration of the function that makes the call. */
-  String callHead(int indent, String before, String name, String tail) {
+  String callHead(int indent, String before, String tail) {
     List<String> parameters = new ArrayList<>();
     parameters.add("Component& component");
     arguments.forEach(a -> parameters.add(CppType.parameter(a.parameter(), a.local(), false)));
-    return CppText.list(indent, before + returnType() + " " + name + "(", parameters, ")" + tail);
+    return CppText.list(
+        indent, before + returnType() + " " + callName + "(", parameters, ")" + tail);
   }
 
-  /** {@code Interface.Method}, escaped for a comment. */
+  /** {@code Interface.Method} or the interface of a sequence, escaped for a comment. */
   String called() {
-    return CppText.comment(plan.methodName());
+    return CppText.comment(
+        isSequence() ? "sequences of " + plan.interfaceName() : plan.methodName());
   }
 }

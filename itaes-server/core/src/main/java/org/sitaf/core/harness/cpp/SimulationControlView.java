@@ -24,7 +24,8 @@ record SimulationControlView(
     boolean ahead,
     boolean periodic,
     boolean runsOn,
-    boolean observes) {
+    boolean observes,
+    boolean sequence) {
 
   static SimulationControlView of(CppPlan plan) {
     World world = plan.plan().world();
@@ -59,7 +60,8 @@ record SimulationControlView(
         ahead,
         plan.isPeriodic(),
         plan.runsOn(),
-        plan.observes());
+        plan.observes(),
+        plan.isSequence());
   }
 
   private static List<String> includes(CppPlan plan) {
@@ -67,7 +69,10 @@ record SimulationControlView(
     if (plan.isPeriodic()) {
       includes.standard("functional");
     }
-    if (plan.observes()) {
+    if (plan.isSequence()) {
+      includes.standard("chrono");
+    }
+    if (plan.observes() || plan.isSequence()) {
       includes.standard("string");
     }
     return includes.lines();
@@ -113,7 +118,7 @@ record SimulationControlView(
         ");");
   }
 
-  private static String duration(Duration time) {
+  static String duration(Duration time) {
     return CppText.duration(time);
   }
 }

@@ -40,23 +40,14 @@ record TestDriverView(
 
   static TestDriverView of(CppPlan plan) {
     boolean blocking = plan.plan().method().callType() != CallType.NONBLOCKING;
-    String returned =
-        plan.plan().returnsNothing() ? "" : "const " + plan.returnType() + " returned = ";
-    List<String> arguments =
-        Stream.concat(
-                Stream.of("component"), plan.arguments().stream().map(CppPlan.Argument::local))
-            .toList();
     return new TestDriverView(
         plan.namespace(),
         includes(plan),
         documentation(plan),
         plan.component(),
         constructor(plan),
-        CppText.documentation(
-            2,
-            List.of(
-                "Calls the method under test, " + plan.called() + ". Only this call is timed.")),
-        plan.callHead(2, "virtual ", "call", " = 0;"),
+        callDocumentation(plan),
+        plan.callHead(2, "virtual ", " = 0;"),
         CppText.list(2, "return runtime::createComponent<Component>(", offered(plan), ");"),
         reads(plan),
         CppText.list(
@@ -71,19 +62,41 @@ record TestDriverView(
             ");"),
         plan.isPeriodic() && plan.hasWorld(),
         blocking,
-        blocking
-            ? CppText.list(2, returned + "call(", arguments, ");")
-            : CppText.list(
-                2,
-                "auto pending = callNonblocking(",
-                List.of("[&] { return call(" + String.join(", ", arguments) + "); }"),
-                ");"),
-        "  " + returned + "pending.outcome();",
+        call(plan),
+        collect(plan),
         plan.runsOn(),
         plan.plan().outputs().stream().map(o -> output(plan, o)).toList());
   }
 
-  private static String constructor(CppPlan plan) {
+  static String callDocumentation(CppPlan plan) {
+    return CppText.documentation(
+        2, List.of("Calls the method under test, " + plan.called() + ". Only this call is timed."));
+  }
+
+  private static String returned(CppPlan plan) {
+    return plan.plan().returnsNothing() ? "" : "const " + plan.returnType() + " returned = ";
+  }
+
+  static String call(CppPlan plan) {
+    List<String> arguments =
+        Stream.concat(
+                Stream.of("component"), plan.arguments().stream().map(CppPlan.Argument::local))
+            .toList();
+    return plan.plan().method().callType() != CallType.NONBLOCKING
+        ? CppText.list(2, returned(plan) + plan.callName() + "(", arguments, ");")
+        : CppText.list(
+            2,
+            "auto pending = callNonblocking(",
+            List.of(
+                "[&] { return " + plan.callName() + "(" + String.join(", ", arguments) + "); }"),
+            ");");
+  }
+
+  static String collect(CppPlan plan) {
+    return "  " + returned(plan) + "pending.outcome();";
+  }
+
+  static String constructor(CppPlan plan) {
     boolean suite = plan.plan().component().lifeCycle() == LifeCycle.SUITE;
     List<String> notHooks =
         Hooks.among(plan.plan().provided(), UnaryOperator.identity()).stream()
@@ -92,32 +105,37 @@ record TestDriverView(
     return CppText.constructor(
         "TestDriver::TestDriver(runtime::TestRun& run)",
         List.of(
-            "SuiteDriver(run, runtime::LifeCycle::"
+            (plan.isSequence() ? "SequenceDriver" : "SuiteDriver")
+                + "(run, runtime::LifeCycle::"
                 + (suite ? "suite" : "perCase")
                 + (notHooks.isEmpty() ? ")" : ", {" + String.join(", ", notHooks) + "})"),
             "simulationControl_(run)",
             "testStub_(run)"));
   }
 
-  private static List<String> includes(CppPlan plan) {
+  static List<String> includes(CppPlan plan) {
     List<DataType> types = new ArrayList<>();
-    types.add(plan.plan().method().returnType());
-    plan.arguments().forEach(a -> types.add(a.parameter().type()));
-    plan.plan().outputs().stream()
-        .filter(o -> o.source() instanceof Source.DataPort)
-        .forEach(o -> types.add(o.type()));
+    for (CppPlan call : plan.calls()) {
+      types.add(call.plan().method().returnType());
+      call.arguments().forEach(a -> types.add(a.parameter().type()));
+      call.plan().outputs().stream()
+          .filter(o -> o.source() instanceof Source.DataPort)
+          .forEach(o -> types.add(o.type()));
+    }
     return new Includes()
         .standard("memory")
         .own(
             plan.header(),
             "SimulationControl.hpp",
             "TestStub.hpp",
-            "sitaf/runtime/suite_driver.hpp")
+            plan.isSequence()
+                ? "sitaf/runtime/sequence_driver.hpp"
+                : "sitaf/runtime/suite_driver.hpp")
         .types(types)
         .lines();
   }
 
-  private static String documentation(CppPlan plan) {
+  static String documentation(CppPlan plan) {
     List<String> paragraphs = new ArrayList<>();
     paragraphs.add(
         "Test driver (TD) of "
@@ -132,7 +150,7 @@ record TestDriverView(
   }
 
   /** The objects that are passed to the component's constructor. */
-  private static List<String> offered(CppPlan plan) {
+  static List<String> offered(CppPlan plan) {
     List<String> offered = new ArrayList<>();
     if (plan.hasWorld()) {
       offered.add("*run().hardware()");
@@ -141,7 +159,7 @@ record TestDriverView(
     return offered;
   }
 
-  private static List<String> reads(CppPlan plan) {
+  static List<String> reads(CppPlan plan) {
     List<String> reads = new ArrayList<>();
     for (CppPlan.Argument argument : plan.arguments()) {
       String type = CppType.of(argument.parameter().type());
@@ -222,7 +240,7 @@ record TestDriverView(
     return path.toString();
   }
 
-  private static String output(CppPlan plan, Output output) {
+  static String output(CppPlan plan, Output output) {
     String name = CppText.string(output.name());
     if (output.type().isVoid()) {
       return CppText.list(2, "result.recordReturn(", List.of(name), ");");

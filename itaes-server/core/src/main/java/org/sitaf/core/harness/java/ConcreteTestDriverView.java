@@ -17,14 +17,15 @@ record ConcreteTestDriverView(
     List<String> setUp,
     String beforeDeclaration,
     String afterDeclaration,
-    String callDeclaration,
-    String call) {
+    List<Call> calls) {
+  /** A method that makes a call. */
+  record Call(String documentation, String declaration, String statement) {}
 
   static ConcreteTestDriverView of(JavaPlan plan) {
     SortedSet<String> imports = new TreeSet<>();
     imports.add("org.sitaf.runtime.TestRun");
     imports.add("org.sitaf.runtime.suite.TestCase");
-    TestDriverView.addTypesOfCall(plan, imports);
+    plan.calls().forEach(c -> TestDriverView.addTypesOfCall(c, imports));
     plan.before().forEach(c -> imports.addAll(c.imports()));
     return new ConcreteTestDriverView(
         plan.packageName(),
@@ -34,6 +35,14 @@ record ConcreteTestDriverView(
         setUp(plan),
         hook(plan, "beforeCase"),
         hook(plan, "afterCase"),
+        plan.calls().stream().map(c -> call(c, plan.isSequence())).toList());
+  }
+
+  private static Call call(JavaPlan plan, boolean inSequence) {
+    return new Call(
+        inSequence
+            ? TestDriverView.callDocumentation(plan)
+            : "  /** Calls the method under test. Only this call is timed. */",
         TestDriverView.callDeclaration(plan, "", " {"),
         JavaText.call(
             4,
@@ -47,7 +56,10 @@ record ConcreteTestDriverView(
         0,
         List.of(
             "Concrete test driver of "
-                + JavaText.comment(plan.interfaceName() + "." + plan.method())
+                + JavaText.comment(
+                    plan.isSequence()
+                        ? "sequences of " + plan.interfaceName()
+                        : plan.interfaceName() + "." + plan.method())
                 + ". You may edit this class.",
             "To keep your changes, save this file in the activity as harness/"
                 + JavaText.comment(plan.modelName())
@@ -66,6 +78,18 @@ record ConcreteTestDriverView(
                         "",
                         "setProperty",
                         List.of("component", JavaText.string(name), JavaText.string(value)))));
+    plan.caseProperties()
+        .forEach(
+            name ->
+                statements.add(
+                    JavaText.call(
+                        4,
+                        "",
+                        "setProperty",
+                        List.of(
+                            "component",
+                            JavaText.string(name),
+                            "currentCase().stringValue(" + JavaText.string(name) + ")"))));
     statements.add("    begin(component);");
     plan.before()
         .forEach(

@@ -38,7 +38,11 @@ public final class JavaHarness implements HarnessWriter {
       return FileTree.of(files);
     }
     String folder = folder(plan.modelName());
-    files.put(folder + "TestDriver.java", print("TestDriver", TestDriverView.of(plan)));
+    files.put(
+        folder + "TestDriver.java",
+        plan.isSequence()
+            ? print("SequenceDriver", SequenceDriverView.of(plan))
+            : print("TestDriver", TestDriverView.of(plan)));
     files.put(
         folder + "SimulationControl.java",
         print("SimulationControl", SimulationControlView.of(plan)));

@@ -17,6 +17,7 @@ record SimulationControlView(
     boolean periodic,
     boolean runsOn,
     boolean observes,
+    boolean sequence,
     boolean hasSettings,
     String prepareDocumentation,
     String prepareDeclaration,
@@ -26,7 +27,20 @@ record SimulationControlView(
     World world = plan.world();
     if (world == null) {
       return new SimulationControlView(
-          plan.packageName(), false, "", "", "", "", false, false, false, false, "", "", List.of());
+          plan.packageName(),
+          false,
+          "",
+          "",
+          "",
+          "",
+          false,
+          false,
+          false,
+          false,
+          false,
+          "",
+          "",
+          List.of());
     }
     List<World.Setting> settings = world.settings();
     Duration period = plan.period();
@@ -46,6 +60,7 @@ record SimulationControlView(
         period != null,
         runsOn(plan),
         plan.observes(),
+        plan.isSequence(),
         !settings.isEmpty(),
         JavaText.javadoc(
             2,
@@ -73,7 +88,7 @@ record SimulationControlView(
     return plan.world() != null && !plan.world().runFor().isZero();
   }
 
-  private static String duration(Duration time) {
+  static String duration(Duration time) {
     if (time.isZero()) {
       return "Duration.ZERO";
     }

@@ -43,41 +43,22 @@ record TestDriverView(
         imports(plan),
         documentation(plan),
         plan.component(),
-        JavaText.call(
-            4,
-            "",
-            "super",
-            Stream.concat(
-                    Stream.of("run", "LifeCycle." + (plan.suiteLife() ? "SUITE" : "CASE")),
-                    plan.notHooks().stream().map(JavaText::string))
-                .toList()),
+        superCall(plan),
         plan.world() == null ? "" : "run.simulation()",
         plan.stubs().isEmpty() ? "" : "run.stubbing()",
         JavaText.call(4, "return", "newComponent", newComponentArguments(plan)),
-        JavaText.javadoc(
-            2,
-            List.of(
-                "Calls the method under test, "
-                    + JavaText.comment(plan.interfaceName() + "." + plan.method())
-                    + ". Only this call is timed."),
-            List.of()),
+        callDocumentation(plan),
         callDeclaration(plan, "abstract ", ";"),
         reads(plan),
         JavaText.call(4, "", "simulationControl.prepare", settings(plan)),
         JavaText.call(
             4, "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
-        JavaText.call(
-            4,
-            plan.returns() == null ? "" : plan.returnName() + " returned =",
-            "call",
-            callArguments(plan)),
+        call(plan),
         SimulationControlView.runsOn(plan),
         plan.period() != null,
         plan.nonblocking(),
         begin(plan),
-        plan.returns() == null
-            ? "    pending.outcome();"
-            : "    " + plan.returnName() + " returned = pending.outcome();",
+        outcome(plan),
         plan.outputs().stream().map(TestDriverView::output).toList());
   }
 
@@ -89,7 +70,43 @@ record TestDriverView(
     List<String> parameters = new ArrayList<>();
     parameters.add(plan.component() + " component");
     plan.arguments().forEach(a -> parameters.add(a.parameter()));
-    return JavaText.declaration(2, modifiers + plan.returnName() + " call", parameters, true, end);
+    return JavaText.declaration(
+        2, modifiers + plan.returnName() + " " + plan.callName(), parameters, true, end);
+  }
+
+  static String call(JavaPlan plan) {
+    return JavaText.call(
+        4,
+        plan.returns() == null ? "" : plan.returnName() + " returned =",
+        plan.callName(),
+        callArguments(plan));
+  }
+
+  static String outcome(JavaPlan plan) {
+    return plan.returns() == null
+        ? "    pending.outcome();"
+        : "    " + plan.returnName() + " returned = pending.outcome();";
+  }
+
+  static String callDocumentation(JavaPlan plan) {
+    return JavaText.javadoc(
+        2,
+        List.of(
+            "Calls the method under test, "
+                + JavaText.comment(plan.interfaceName() + "." + plan.method())
+                + ". Only this call is timed."),
+        List.of());
+  }
+
+  static String superCall(JavaPlan plan) {
+    return JavaText.call(
+        4,
+        "",
+        "super",
+        Stream.concat(
+                Stream.of("run", "LifeCycle." + (plan.suiteLife() ? "SUITE" : "CASE")),
+                plan.notHooks().stream().map(JavaText::string))
+            .toList());
   }
 
   private static List<String> callArguments(JavaPlan plan) {
@@ -98,8 +115,8 @@ record TestDriverView(
   }
 
   /** A non-blocking call: started here; its result is collected after time has passed. */
-  private static String begin(JavaPlan plan) {
-    String call = "call(" + String.join(", ", callArguments(plan)) + ")";
+  static String begin(JavaPlan plan) {
+    String call = plan.callName() + "(" + String.join(", ", callArguments(plan)) + ")";
     JavaType returns = plan.returns();
     return returns == null
         ? JavaText.call(
@@ -126,6 +143,12 @@ record TestDriverView(
     imports.add("org.sitaf.runtime.suite.CaseResult");
     imports.add("org.sitaf.runtime.suite.TestCase");
     addTypesOfCall(plan, imports);
+    addTypesOfReads(plan, imports);
+    return imports;
+  }
+
+  /** Adds the imports of the values that are read from a case. */
+  static void addTypesOfReads(JavaPlan plan, SortedSet<String> imports) {
     plan.arguments().forEach(a -> a.reads().forEach(r -> imports.addAll(r.type().imports())));
     if (!plan.answers().isEmpty()) {
       imports.add("org.sitaf.runtime.suite.Answers");
@@ -139,7 +162,6 @@ record TestDriverView(
                 plan.types().stream()
                     .filter(t -> a.value().matches(".*\\b" + t.name() + "\\b.*"))
                     .forEach(t -> imports.add(JavaType.INTERFACES + "." + t.name())));
-    return imports;
   }
 
   /** Adds the imports of the call's declaration. */
@@ -156,11 +178,14 @@ record TestDriverView(
     plan.arguments().forEach(a -> imports.addAll(a.type().imports()));
   }
 
-  private static String documentation(JavaPlan plan) {
+  static String documentation(JavaPlan plan) {
     List<String> paragraphs = new ArrayList<>();
     paragraphs.add(
         "Test driver (TD) of "
-            + JavaText.comment(plan.interfaceName() + "." + plan.method())
+            + JavaText.comment(
+                plan.isSequence()
+                    ? "sequences of " + plan.interfaceName()
+                    : plan.interfaceName() + "." + plan.method())
             + ": runs the cases of the test model "
             + JavaText.comment(plan.modelName())
             + ".");
@@ -170,19 +195,19 @@ record TestDriverView(
     return JavaText.javadoc(0, paragraphs, List.of());
   }
 
-  private static List<String> newComponentArguments(JavaPlan plan) {
+  static List<String> newComponentArguments(JavaPlan plan) {
     List<String> arguments = new ArrayList<>();
     arguments.add(plan.component() + ".class");
     plan.stubs().forEach(s -> arguments.add("testStub." + s.field()));
     return arguments;
   }
 
-  private static List<String> settings(JavaPlan plan) {
+  static List<String> settings(JavaPlan plan) {
     World world = plan.world();
     return world == null ? List.of() : world.settings().stream().map(World.Setting::local).toList();
   }
 
-  private static List<String> reads(JavaPlan plan) {
+  static List<String> reads(JavaPlan plan) {
     List<String> reads = new ArrayList<>();
     for (Argument argument : plan.arguments()) {
       argument.reads().forEach(r -> reads.add(read(r.type(), r.local(), r.column())));
@@ -241,7 +266,7 @@ record TestDriverView(
         4, type.name() + " " + local + " =", "testCase." + type.accessor(), type.reading(column));
   }
 
-  private static String output(Output output) {
+  static String output(Output output) {
     String name = JavaText.string(output.name());
     if (output.expression() == null) {
       return JavaText.call(4, "", "result.recordReturn", List.of(name));

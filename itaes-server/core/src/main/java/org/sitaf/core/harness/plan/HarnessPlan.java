@@ -32,6 +32,8 @@ import org.sitaf.core.model.Value;
  * @param provided interfaces of the component
  * @param types structs and enumerations of the interfaces, in the order of their dependencies
  * @param errors names of exceptions that the interfaces declare or an answer raises, sorted
+ * @param sequence the steps, if a case is a sequence; then the method is that of the first call,
+ *     and arguments and outputs are those of the {@link Sequence#calls}
  */
 public record HarnessPlan(
     String modelName,
@@ -47,7 +49,8 @@ public record HarnessPlan(
     List<InterfaceDescription> provided,
     List<DataType> types,
     List<String> errors,
-    Limits limits) {
+    Limits limits,
+    @Nullable Sequence sequence) {
   public HarnessPlan {
     Objects.requireNonNull(modelName);
     Objects.requireNonNull(description);
@@ -62,6 +65,50 @@ public record HarnessPlan(
     provided = List.copyOf(provided);
     types = List.copyOf(types);
     errors = List.copyOf(errors);
+  }
+
+  /**
+   * The steps of the cases.
+   *
+   * @param properties parameters of the suite that are properties or constructor arguments of the
+   *     component
+   */
+  public record Sequence(List<CallStep> calls, List<EventStep> events, List<Given> properties) {
+    public Sequence {
+      calls = List.copyOf(calls);
+      events = List.copyOf(events);
+      properties = List.copyOf(properties);
+    }
+  }
+
+  /**
+   * A call as a step.
+   *
+   * @param call the plan of its method, arguments, outputs and times
+   */
+  public record CallStep(String name, HarnessPlan call) {
+    public CallStep {
+      Objects.requireNonNull(name);
+      Objects.requireNonNull(call);
+    }
+
+    /** Simulation time before the call. */
+    public Duration settle() {
+      return call.world() == null ? Duration.ZERO : call.world().settle();
+    }
+  }
+
+  /**
+   * An event as a step.
+   *
+   * @param parameter parameter of the world, or fault of a device
+   * @param value in the unit of the parameter
+   */
+  public record EventStep(String name, String parameter, double value) {
+    public EventStep {
+      Objects.requireNonNull(name);
+      Objects.requireNonNull(parameter);
+    }
   }
 
   /**

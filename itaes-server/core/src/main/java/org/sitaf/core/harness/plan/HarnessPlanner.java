@@ -25,6 +25,8 @@ import org.sitaf.core.harness.plan.HarnessPlan.Stub;
 import org.sitaf.core.harness.plan.HarnessPlan.World;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceCall;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestSuite;
 
@@ -91,12 +93,8 @@ public final class HarnessPlanner {
     var exceptions = new DeclaredExceptions(diagnostics);
     List<InterfaceDescription> provided = exceptions.withSimpleNames(activity.provided());
     List<InterfaceDescription> required = exceptions.withSimpleNames(activity.required());
-    TargetMethod target;
-    try {
-      target = TargetMethod.find(model, provided);
-    } catch (IllegalArgumentException e) {
-      throw InvalidInputException.of(model.source(), "target: " + e.getMessage());
-    }
+    List<TargetMethod> targets = targets(provided);
+    TargetMethod target = targets.get(0);
     Method method = target.method();
     Component component = activity.profile().component();
     if (component.period() != null && activity.world() == null) {
@@ -106,14 +104,17 @@ public final class HarnessPlanner {
           "component.execution",
           "a periodic component is executed in simulation time; add a world to activity.yaml");
     }
-    List<Argument> arguments = new ArgumentPlanner(target, model, suite, diagnostics).plan();
+    SequenceSpec steps = model.sequence();
+    List<Argument> arguments =
+        steps == null ? new ArgumentPlanner(target, model, suite, diagnostics).plan() : List.of();
     World world = world();
     StubPlanner stubPlanner = new StubPlanner(required, model, suite, diagnostics);
     List<Stub> stubs = stubPlanner.plan();
-    List<Output> outputs = new OutputPlanner(method, model, activity, diagnostics).plan();
+    List<Output> outputs =
+        steps == null ? new OutputPlanner(method, model, activity, diagnostics).plan() : List.of();
     var before = new BeforeCalls(provided, diagnostics).plan(component.before(), PROFILE);
     DeclaredTypes types = new DeclaredTypes(diagnostics);
-    types.reach(target.declaring().source(), method);
+    targets.forEach(t -> types.reach(t.declaring().source(), t.method()));
     for (InterfaceDescription description : required) {
       description.methods().forEach(m -> types.reach(description.source(), m));
     }
@@ -132,21 +133,45 @@ public final class HarnessPlanner {
     }
     SortedSet<String> errors = new TreeSet<>(stubPlanner.errors());
     errors.addAll(exceptions.names());
-    return new HarnessPlan(
-        model.name(),
-        model.description(),
-        target.declaring().name(),
-        method,
-        component,
-        arguments,
-        outputs,
-        world,
-        stubs,
-        before,
-        provided,
-        types.inOrder(),
-        List.copyOf(errors),
-        activity.profile().limits());
+    HarnessPlan plan =
+        new HarnessPlan(
+            model.name(),
+            model.description(),
+            target.declaring().name(),
+            method,
+            component,
+            arguments,
+            outputs,
+            world,
+            stubs,
+            before,
+            provided,
+            types.inOrder(),
+            List.copyOf(errors),
+            activity.profile().limits(),
+            null);
+    return steps == null
+        ? plan
+        : new SequencePlanner(activity, model, steps, suite, diagnostics).plan(plan, targets);
+  }
+
+  /** The method under test, or those of the calls of a sequence. */
+  private List<TargetMethod> targets(List<InterfaceDescription> provided) {
+    SequenceSpec steps = model.sequence();
+    List<TargetMethod> targets = new ArrayList<>();
+    for (TestModel called :
+        steps == null ? List.of(model) : steps.calls().stream().map(SequenceCall::model).toList()) {
+      try {
+        targets.add(TargetMethod.find(called, provided));
+      } catch (IllegalArgumentException e) {
+        throw InvalidInputException.of(model.source(), "target: " + e.getMessage());
+      }
+    }
+    if (targets.isEmpty()) {
+      throw InvalidInputException.of(
+          model.source(), "sequence_spec: contains no call; a test needs at least one");
+    }
+    return targets;
   }
 
   private static boolean isObserved(Port.Data port, List<Output> outputs) {

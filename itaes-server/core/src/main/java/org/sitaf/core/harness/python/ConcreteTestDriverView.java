@@ -17,8 +17,9 @@ record ConcreteTestDriverView(
     List<String> setUp,
     String beforeDeclaration,
     String afterDeclaration,
-    String callDeclaration,
-    String call) {
+    List<Call> calls) {
+  /** A method that makes a call. */
+  record Call(String declaration, String documentation, String statement) {}
 
   static ConcreteTestDriverView of(PythonPlan plan) {
     HarnessPlan neutral = plan.neutral();
@@ -26,7 +27,12 @@ record ConcreteTestDriverView(
         PythonText.docstring(
             0,
             List.of(
-                "Concrete test driver of " + PythonText.plain(neutral.methodName()) + ".",
+                "Concrete test driver of "
+                    + PythonText.plain(
+                        plan.isSequence()
+                            ? "sequences of " + neutral.interfaceName()
+                            : neutral.methodName())
+                    + ".",
                 "You may edit this class. To keep your changes, save this file in the activity as"
                     + " harness/"
                     + PythonText.plain(neutral.modelName())
@@ -36,8 +42,16 @@ record ConcreteTestDriverView(
         setUp(neutral),
         hook(plan, "before_case"),
         hook(plan, "after_case"),
-        TestDriverView.callDeclaration(plan),
-        call(plan));
+        plan.calls().stream()
+            .map(
+                c ->
+                    new Call(
+                        TestDriverView.callDeclaration(c),
+                        plan.isSequence()
+                            ? TestDriverView.callDocumentation(c)
+                            : "        \"\"\"Call the method under test. Only this call is timed.\"\"\"",
+                        call(c)))
+            .toList());
   }
 
   private static boolean hasOuts(PythonPlan plan) {
@@ -115,8 +129,8 @@ record ConcreteTestDriverView(
             .add("sitaf_runtime.component", "method_of")
             .add("sitaf_runtime.run", "start")
             .add("sitaf_runtime.suite.test_case", "TestCase");
-    TestDriverView.importCall(plan, imports);
-    if (hasOuts(plan)) {
+    plan.calls().forEach(c -> TestDriverView.importCall(c, imports));
+    if (plan.calls().stream().anyMatch(ConcreteTestDriverView::hasOuts)) {
       imports.add("sitaf_runtime.component", "call_with_outs");
     }
     if (!neutral.component().properties().isEmpty()) {

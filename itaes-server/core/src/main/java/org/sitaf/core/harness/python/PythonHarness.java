@@ -38,7 +38,11 @@ public final class PythonHarness implements HarnessWriter {
     files.put("sitaf_harness/__init__.py", bytes("\"\"\"Test applications.\"\"\"\n"));
     files.put(
         folder + "__init__.py", bytes("\"\"\"The test application of one test model.\"\"\"\n"));
-    files.put(folder + "test_driver.py", print("test_driver", TestDriverView.of(plan)));
+    files.put(
+        folder + "test_driver.py",
+        plan.isSequence()
+            ? print("sequence_driver", SequenceDriverView.of(plan))
+            : print("test_driver", TestDriverView.of(plan)));
     files.put(
         folder + "simulation_control.py",
         print("simulation_control", SimulationControlView.of(plan)));

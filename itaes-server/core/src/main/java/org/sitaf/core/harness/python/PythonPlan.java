@@ -1,5 +1,6 @@
 package org.sitaf.core.harness.python;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
@@ -14,6 +15,8 @@ import org.sitaf.core.harness.plan.HarnessPlan;
  * @param component name of the class under test in generated modules
  * @param componentModule module of the class under test
  * @param componentClass name of the class in this module
+ * @param callName name of the driver's method that makes the call
+ * @param steps of a sequence; empty if a case is one call
  */
 record PythonPlan(
     HarnessPlan neutral,
@@ -23,7 +26,45 @@ record PythonPlan(
     String componentClass,
     List<Argument> arguments,
     List<Setting> settings,
-    List<Stub> stubs) {
+    List<Stub> stubs,
+    String callName,
+    List<Step> steps) {
+
+  /**
+   * A step of a sequence.
+   *
+   * @param method name of the driver's method that executes it
+   * @param call the plan of a call; null for an event
+   * @param event null for a call
+   */
+  record Step(
+      String name,
+      String method,
+      @Nullable PythonPlan call,
+      HarnessPlan.@Nullable EventStep event) {}
+
+  /** Whether a case is a sequence of steps. */
+  boolean isSequence() {
+    return !steps.isEmpty();
+  }
+
+  /** The plans of the calls: those of a sequence, or this one. */
+  List<PythonPlan> calls() {
+    List<PythonPlan> calls = new ArrayList<>();
+    for (Step step : steps) {
+      PythonPlan call = step.call();
+      if (call != null) {
+        calls.add(call);
+      }
+    }
+    return steps.isEmpty() ? List.of(this) : calls;
+  }
+
+  /** The inputs that are properties or constructor arguments of the component. */
+  List<HarnessPlan.Given> properties() {
+    HarnessPlan.Sequence sequence = neutral.sequence();
+    return sequence == null ? List.of() : sequence.properties();
+  }
 
   /** A parameter of the method under test and its variable. */
   record Argument(HarnessPlan.Argument neutral, String local) {
@@ -105,7 +146,8 @@ record PythonPlan(
   }
 
   boolean observes() {
-    return neutral.outputs().stream()
+    return calls().stream()
+        .flatMap(c -> c.neutral.outputs().stream())
         .anyMatch(o -> o.source() instanceof HarnessPlan.Source.Observation);
   }
 }

@@ -24,7 +24,7 @@ final class PythonPlanner {
   }
 
   static PythonPlan plan(HarnessPlan neutral, Diagnostics diagnostics) {
-    return new PythonPlanner(neutral, diagnostics).plan();
+    return new PythonPlanner(neutral, diagnostics).plan("call");
   }
 
   /** The package of a model's test application. */
@@ -32,7 +32,7 @@ final class PythonPlanner {
     return "sitaf_harness." + PythonNames.packagePart(modelName);
   }
 
-  private PythonPlan plan() {
+  private PythonPlan plan(String callName) {
     String qualified = neutral.component().className();
     int dot = qualified.lastIndexOf('.');
     component(qualified, diagnostics);
@@ -62,7 +62,28 @@ final class PythonPlanner {
         simple,
         arguments,
         settings,
-        neutral.stubs().stream().map(this::stub).toList());
+        neutral.stubs().stream().map(this::stub).toList(),
+        callName,
+        steps());
+  }
+
+  private List<PythonPlan.Step> steps() {
+    HarnessPlan.Sequence sequence = neutral.sequence();
+    List<PythonPlan.Step> steps = new ArrayList<>();
+    if (sequence == null) {
+      return steps;
+    }
+    PythonNames methods = new PythonNames();
+    for (HarnessPlan.CallStep step : sequence.calls()) {
+      String suffix = methods.local(step.name());
+      PythonPlan call = new PythonPlanner(step.call(), diagnostics).plan("call_" + suffix);
+      steps.add(new PythonPlan.Step(step.name(), "step_" + suffix, call, null));
+    }
+    for (HarnessPlan.EventStep step : sequence.events()) {
+      String suffix = methods.local(step.name());
+      steps.add(new PythonPlan.Step(step.name(), "event_" + suffix, null, step));
+    }
+    return steps;
   }
 
   /** Checks the name of the component's class. */

@@ -16,6 +16,7 @@ record SimulationControlView(
     boolean runsOn,
     boolean periodic,
     boolean observes,
+    boolean sequence,
     String prepareDeclaration,
     String prepareDocumentation,
     String prepare) {
@@ -23,7 +24,7 @@ record SimulationControlView(
   static SimulationControlView of(PythonPlan plan) {
     World world = plan.neutral().world();
     if (world == null) {
-      return new SimulationControlView(false, "", "", "", false, false, false, "", "", "");
+      return new SimulationControlView(false, "", "", "", false, false, false, false, "", "", "");
     }
     String parameters =
         new Group(
@@ -59,6 +60,7 @@ record SimulationControlView(
         plan.runsOn(),
         plan.isPeriodic(),
         plan.observes(),
+        plan.isSequence(),
         new Group(
                 "def prepare(",
                 Stream.concat(
@@ -82,7 +84,7 @@ record SimulationControlView(
         + setting.neutral().max();
   }
 
-  private static String seconds(Duration time) {
+  static String seconds(Duration time) {
     return PythonText.real(time.toNanos() / 1e9);
   }
 }

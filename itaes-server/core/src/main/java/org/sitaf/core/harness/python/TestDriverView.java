@@ -45,7 +45,6 @@ record TestDriverView(
     HarnessPlan neutral = plan.neutral();
     boolean nonblocking = neutral.method().callType() == CallType.NONBLOCKING;
     List<String> notHooks = Hooks.among(neutral.provided(), PythonNames::snakeCase);
-    String returned = neutral.returnsNothing() ? "" : "returned = ";
     return new TestDriverView(
         PythonText.docstring(0, documentation(neutral)),
         imports(plan),
@@ -63,19 +62,8 @@ record TestDriverView(
                 ")")
             .at(8),
         callDeclaration(plan),
-        PythonText.docstring(
-            8,
-            List.of(
-                "Call the method under test, " + PythonText.plain(neutral.methodName()) + ".",
-                "Only this call is timed.")),
-        new Group(
-                "return self.make(",
-                Stream.concat(
-                        Stream.of(plan.component()),
-                        plan.stubs().stream().map(s -> "self.test_stub." + s.field()))
-                    .toList(),
-                ")")
-            .at(8),
+        callDocumentation(plan),
+        make(plan),
         reads(plan),
         new Group(
                 "self.simulation_control.prepare(",
@@ -88,16 +76,48 @@ record TestDriverView(
         plan.isPeriodic(),
         plan.isPeriodic() ? PythonText.real(neutral.component().period().toNanos() / 1e9) : "",
         nonblocking,
-        nonblocking
-            ? new Group(
-                    "pending = self.call_nonblocking(",
-                    Stream.concat(Stream.of("self.call"), callArguments(plan).stream()).toList(),
-                    ")")
-                .at(8)
-            : new Group(returned + "self.call(", callArguments(plan), ")").at(8),
+        call(plan),
         plan.runsOn(),
-        indented(returned + "pending.outcome()"),
+        outcome(plan),
         neutral.outputs().stream().map(o -> output(plan, o)).toList());
+  }
+
+  static String callDocumentation(PythonPlan plan) {
+    return PythonText.docstring(
+        8,
+        List.of(
+            "Call the method under test, " + PythonText.plain(plan.neutral().methodName()) + ".",
+            "Only this call is timed."));
+  }
+
+  static String make(PythonPlan plan) {
+    List<String> arguments = new ArrayList<>();
+    arguments.add(plan.component());
+    plan.stubs().forEach(s -> arguments.add("self.test_stub." + s.field()));
+    if (!plan.properties().isEmpty()) {
+      arguments.add("inputs=self.inputs()");
+    }
+    return new Group("return self.make(", arguments, ")").at(8);
+  }
+
+  private static String returned(PythonPlan plan) {
+    return plan.neutral().returnsNothing() ? "" : "returned = ";
+  }
+
+  static String call(PythonPlan plan) {
+    return plan.neutral().method().callType() == CallType.NONBLOCKING
+        ? new Group(
+                "pending = self.call_nonblocking(",
+                Stream.concat(Stream.of("self." + plan.callName()), callArguments(plan).stream())
+                    .toList(),
+                ")")
+            .at(8)
+        : new Group(returned(plan) + "self." + plan.callName() + "(", callArguments(plan), ")")
+            .at(8);
+  }
+
+  static String outcome(PythonPlan plan) {
+    return indented(returned(plan) + "pending.outcome()");
   }
 
   private static List<String> callArguments(PythonPlan plan) {
@@ -108,7 +128,7 @@ record TestDriverView(
   /** The declaration of the method that makes the call. */
   static String callDeclaration(PythonPlan plan) {
     return new Group(
-            "def call(",
+            "def " + plan.callName() + "(",
             Stream.concat(
                     Stream.of("self", "component: " + plan.component()),
                     plan.arguments().stream().map(a -> a.local() + ": " + a.hint()))
@@ -117,9 +137,15 @@ record TestDriverView(
         .at(4);
   }
 
-  private static List<String> documentation(HarnessPlan plan) {
+  static List<String> documentation(HarnessPlan plan) {
     List<String> paragraphs = new ArrayList<>();
-    paragraphs.add("Test driver (TD) of " + PythonText.plain(plan.methodName()) + ".");
+    paragraphs.add(
+        "Test driver (TD) of "
+            + PythonText.plain(
+                plan.sequence() == null
+                    ? plan.methodName()
+                    : "sequences of " + plan.interfaceName())
+            + ".");
     paragraphs.add("Runs the cases of the test model " + PythonText.plain(plan.modelName()) + ".");
     if (!plan.description().isBlank()) {
       paragraphs.add(PythonText.plain(plan.description()));
@@ -155,6 +181,13 @@ record TestDriverView(
             .add(RUNTIME + "suite.result", "CaseResult")
             .add(RUNTIME + "suite.test_case", "TestCase");
     importCall(plan, imports);
+    importValues(plan, imports);
+    return imports.text();
+  }
+
+  /** Adds the imports of the values that are read and recorded. */
+  static void importValues(PythonPlan plan, Imports imports) {
+    HarnessPlan neutral = plan.neutral();
     for (Argument argument : plan.arguments()) {
       if (!argument.neutral().given().isEmpty() || argument.direction() == Direction.INOUT) {
         PythonType.importKind(argument.type(), imports);
@@ -182,10 +215,9 @@ record TestDriverView(
         imports.add(RUNTIME + "component", "port_of");
       }
     }
-    return imports.text();
   }
 
-  private static List<String> reads(PythonPlan plan) {
+  static List<String> reads(PythonPlan plan) {
     List<String> reads = new ArrayList<>();
     for (Argument argument : plan.arguments()) {
       String value = value(argument);
@@ -252,7 +284,7 @@ record TestDriverView(
         : String.valueOf(((Step.Element) step).index());
   }
 
-  private static String output(PythonPlan plan, Output output) {
+  static String output(PythonPlan plan, Output output) {
     List<String> arguments = new ArrayList<>();
     arguments.add(PythonText.string(output.name()));
     if (output.type().isVoid()) {

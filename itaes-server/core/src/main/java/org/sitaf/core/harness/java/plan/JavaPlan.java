@@ -29,6 +29,9 @@ import org.sitaf.core.description.Direction;
  * @param before calls that set up the component
  * @param types generated structs and enumerations
  * @param errors generated exceptions
+ * @param callName name of the driver's method that makes the call
+ * @param steps of a sequence; empty if a case is one call
+ * @param caseProperties parameters of the suite that are properties of the component
  */
 public record JavaPlan(
     String modelName,
@@ -51,7 +54,10 @@ public record JavaPlan(
     Map<String, String> properties,
     List<Call> before,
     List<JavaDeclaredType> types,
-    List<String> errors) {
+    List<String> errors,
+    String callName,
+    List<Step> steps,
+    List<String> caseProperties) {
 
   /**
    * A parameter of the method under test.
@@ -173,6 +179,34 @@ public record JavaPlan(
    */
   public record Output(String name, @Nullable String expression, boolean part, boolean observed) {}
 
+  /**
+   * A step of a sequence.
+   *
+   * @param method name of the driver's method that executes it
+   * @param call the plan of a call; null for an event
+   * @param parameter what an event sets; empty for a call
+   * @param value of the parameter
+   */
+  public record Step(
+      String name, String method, @Nullable JavaPlan call, String parameter, double value) {}
+
+  /** Whether a case is a sequence of steps. */
+  public boolean isSequence() {
+    return !steps.isEmpty();
+  }
+
+  /** The plans of the calls: those of a sequence, or this one. */
+  public List<JavaPlan> calls() {
+    List<JavaPlan> calls = new java.util.ArrayList<>();
+    for (Step step : steps) {
+      JavaPlan call = step.call();
+      if (call != null) {
+        calls.add(call);
+      }
+    }
+    return steps.isEmpty() ? List.of(this) : calls;
+  }
+
   /** A call of the component with arguments as expressions. */
   public record Call(String method, List<String> arguments, Set<String> imports) {}
 
@@ -183,7 +217,7 @@ public record JavaPlan(
 
   /** Whether there is an observation of the world. */
   public boolean observes() {
-    return outputs.stream().anyMatch(Output::observed);
+    return calls().stream().anyMatch(c -> c.outputs.stream().anyMatch(Output::observed));
   }
 
   /** The answers that the suite sets, in the order of the stubs. */

@@ -24,6 +24,7 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.HarnessPlanner;
 import org.sitaf.core.harness.plan.Hooks;
+import org.sitaf.core.harness.plan.Words;
 import org.sitaf.core.model.Value;
 
 /** Plans a test application in Java, and reports everything that Java cannot express. */
@@ -31,9 +32,11 @@ public final class JavaPlanner {
   private final HarnessPlan plan;
   private final Diagnostics diagnostics;
   private final JavaNames names;
+  private final String callName;
 
-  private JavaPlanner(HarnessPlan plan, Diagnostics diagnostics) {
+  private JavaPlanner(HarnessPlan plan, String callName, Diagnostics diagnostics) {
     this.plan = plan;
+    this.callName = callName;
     this.diagnostics = diagnostics;
     // A local variable must not hide a type or the first part of a qualified name.
     this.names =
@@ -51,7 +54,7 @@ public final class JavaPlanner {
    *     must not be used
    */
   public static JavaPlan plan(HarnessPlan plan, Diagnostics diagnostics) {
-    return new JavaPlanner(plan, diagnostics).plan();
+    return new JavaPlanner(plan, "call", diagnostics).plan();
   }
 
   /** The package of a model's test application. */
@@ -114,7 +117,32 @@ public final class JavaPlanner {
         plan.component().properties(),
         before,
         types,
-        plan.errors());
+        plan.errors(),
+        callName,
+        steps(),
+        plan.sequence() == null
+            ? List.of()
+            : plan.sequence().properties().stream().map(HarnessPlan.Given::column).toList());
+  }
+
+  private List<JavaPlan.Step> steps() {
+    HarnessPlan.Sequence sequence = plan.sequence();
+    List<JavaPlan.Step> steps = new ArrayList<>();
+    if (sequence == null) {
+      return steps;
+    }
+    JavaNames methods = new JavaNames();
+    for (HarnessPlan.CallStep step : sequence.calls()) {
+      String suffix = Words.raised(methods.local(step.name()));
+      JavaPlan call = new JavaPlanner(step.call(), "call" + suffix, diagnostics).plan();
+      steps.add(new JavaPlan.Step(step.name(), "step" + suffix, call, "", 0));
+    }
+    for (HarnessPlan.EventStep step : sequence.events()) {
+      String suffix = Words.raised(methods.local(step.name()));
+      steps.add(
+          new JavaPlan.Step(step.name(), "event" + suffix, null, step.parameter(), step.value()));
+    }
+    return steps;
   }
 
   /** Whether a type of the interfaces has this name. */

@@ -1,0 +1,128 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.CallType;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlan.World;
+
+/** The view of the test driver of sequences: each step has the five parts of Fig. 10. */
+record SequenceDriverView(
+    String namespace,
+    List<String> includes,
+    String documentation,
+    String component,
+    String constructor,
+    String newComponent,
+    List<String> reads,
+    String prepareWorld,
+    String prepareStub,
+    boolean settles,
+    boolean runOn,
+    List<Choice> choices,
+    List<Call> calls,
+    List<Event> events) {
+
+  /** Which method executes a step. */
+  record Choice(String condition, String call) {}
+
+  /** The method of a call. */
+  record Call(
+      String callDocumentation,
+      String callDeclaration,
+      String documentation,
+      String method,
+      List<String> reads,
+      @Nullable String settle,
+      @Nullable String runFor,
+      boolean blocking,
+      String call,
+      String collect,
+      List<String> outputs) {}
+
+  /** The method of an event. */
+  record Event(String documentation, String method, String statement) {}
+
+  static SequenceDriverView of(CppPlan plan) {
+    List<Choice> choices = new ArrayList<>();
+    List<Call> calls = new ArrayList<>();
+    List<Event> events = new ArrayList<>();
+    for (CppPlan.Step step : plan.steps()) {
+      CppPlan call = step.call();
+      choices.add(
+          new Choice(
+              "step.name() == " + CppText.string(step.name()),
+              step.method() + (call == null ? "()" : "(step, result)")));
+      if (call == null) {
+        events.add(event(step, Objects.requireNonNull(step.event())));
+      } else {
+        calls.add(call(step, call));
+      }
+    }
+    return new SequenceDriverView(
+        plan.namespace(),
+        TestDriverView.includes(plan),
+        TestDriverView.documentation(plan),
+        plan.component(),
+        TestDriverView.constructor(plan),
+        CppText.list(
+            2, "return runtime::createComponent<Component>(", TestDriverView.offered(plan), ");"),
+        TestDriverView.reads(plan),
+        CppText.list(
+            2,
+            "simulationControl_.prepare(",
+            plan.settings().stream().map(CppPlan.Setting::local).toList(),
+            ");"),
+        CppText.list(
+            2,
+            "testStub_.prepare(",
+            plan.answers().stream().map(CppPlan.Answer::local).toList(),
+            ");"),
+        plan.isPeriodic() && plan.hasWorld(),
+        plan.runsOn(),
+        choices,
+        calls,
+        events);
+  }
+
+  private static Call call(CppPlan.Step step, CppPlan plan) {
+    World world = plan.plan().world();
+    return new Call(
+        TestDriverView.callDocumentation(plan),
+        plan.callHead(2, "virtual ", " = 0;"),
+        CppText.documentation(2, List.of("The step " + CppText.comment(step.name()) + ": a call.")),
+        step.method(),
+        TestDriverView.reads(plan),
+        world == null || world.settle().isZero()
+            ? null
+            : SimulationControlView.duration(world.settle()),
+        world == null || world.runFor().isZero()
+            ? null
+            : SimulationControlView.duration(world.runFor()),
+        plan.plan().method().callType() != CallType.NONBLOCKING,
+        TestDriverView.call(plan),
+        TestDriverView.collect(plan),
+        plan.plan().outputs().stream().map(o -> TestDriverView.output(plan, o)).toList());
+  }
+
+  private static Event event(CppPlan.Step step, HarnessPlan.EventStep event) {
+    return new Event(
+        CppText.documentation(
+            2,
+            List.of(
+                "The step "
+                    + CppText.comment(step.name())
+                    + ": an event that sets "
+                    + CppText.comment(event.parameter())
+                    + ".")),
+        step.method(),
+        CppText.list(
+            2,
+            "simulationControl_.set(",
+            List.of(CppText.string(event.parameter()), String.valueOf(event.value())),
+            ");"));
+  }
+}

@@ -1,0 +1,153 @@
+package org.sitaf.core.harness.java;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.Answered;
+import org.sitaf.core.harness.java.plan.JavaPlan.World;
+import org.sitaf.core.harness.java.plan.JavaText;
+
+/** The view of the test driver of sequences: each step has the five parts of Fig. 10. */
+record SequenceDriverView(
+    String packageName,
+    SortedSet<String> imports,
+    String documentation,
+    String component,
+    String superCall,
+    String simulation,
+    String stubbing,
+    String newComponent,
+    List<String> reads,
+    String prepareWorld,
+    String prepareStub,
+    boolean periodic,
+    boolean runOn,
+    List<Choice> choices,
+    List<Call> calls,
+    List<Event> events) {
+
+  /** Which method executes a step. */
+  record Choice(String name, String call) {}
+
+  /** The method of a call. */
+  record Call(
+      String callDocumentation,
+      String callDeclaration,
+      String documentation,
+      String method,
+      List<String> reads,
+      @Nullable String settle,
+      @Nullable String runFor,
+      boolean nonblocking,
+      String begin,
+      String call,
+      String outcome,
+      List<String> outputs) {}
+
+  /** The method of an event. */
+  record Event(String documentation, String method, String statement) {}
+
+  static SequenceDriverView of(JavaPlan plan) {
+    List<Choice> choices = new ArrayList<>();
+    List<Call> calls = new ArrayList<>();
+    List<Event> events = new ArrayList<>();
+    for (JavaPlan.Step step : plan.steps()) {
+      JavaPlan call = step.call();
+      choices.add(
+          new Choice(
+              JavaText.string(step.name()),
+              step.method() + (call == null ? "()" : "(step, result)")));
+      if (call == null) {
+        events.add(event(step));
+      } else {
+        calls.add(call(step, call));
+      }
+    }
+    return new SequenceDriverView(
+        plan.packageName(),
+        imports(plan),
+        TestDriverView.documentation(plan),
+        plan.component(),
+        TestDriverView.superCall(plan),
+        plan.world() == null ? "" : "run.simulation()",
+        plan.stubs().isEmpty() ? "" : "run.stubbing()",
+        JavaText.call(4, "return", "newComponent", TestDriverView.newComponentArguments(plan)),
+        TestDriverView.reads(plan),
+        JavaText.call(4, "", "simulationControl.prepare", TestDriverView.settings(plan)),
+        JavaText.call(
+            4, "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
+        plan.period() != null,
+        SimulationControlView.runsOn(plan),
+        choices,
+        calls,
+        events);
+  }
+
+  private static Call call(JavaPlan.Step step, JavaPlan plan) {
+    World world = plan.world();
+    return new Call(
+        TestDriverView.callDocumentation(plan),
+        TestDriverView.callDeclaration(plan, "abstract ", ";"),
+        JavaText.javadoc(
+            2, List.of("The step " + JavaText.comment(step.name()) + ": a call."), List.of()),
+        step.method(),
+        TestDriverView.reads(plan),
+        world == null || world.settle().isZero()
+            ? null
+            : SimulationControlView.duration(world.settle()),
+        world == null || world.runFor().isZero()
+            ? null
+            : SimulationControlView.duration(world.runFor()),
+        plan.nonblocking(),
+        TestDriverView.begin(plan),
+        TestDriverView.call(plan),
+        TestDriverView.outcome(plan),
+        plan.outputs().stream().map(TestDriverView::output).toList());
+  }
+
+  private static Event event(JavaPlan.Step step) {
+    return new Event(
+        JavaText.javadoc(
+            2,
+            List.of(
+                "The step "
+                    + JavaText.comment(step.name())
+                    + ": an event that sets "
+                    + JavaText.comment(step.parameter())
+                    + "."),
+            List.of()),
+        step.method(),
+        JavaText.call(
+            4,
+            "",
+            "simulationControl.set",
+            List.of(JavaText.string(step.parameter()), String.valueOf(step.value()))));
+  }
+
+  private static SortedSet<String> imports(JavaPlan plan) {
+    SortedSet<String> imports = new TreeSet<>();
+    for (String type : List.of("LifeCycle", "SequenceDriver", "TestRun")) {
+      imports.add("org.sitaf.runtime." + type);
+    }
+    for (String type : List.of("CaseResult", "TestCase", "TestStep")) {
+      imports.add("org.sitaf.runtime.suite." + type);
+    }
+    TestDriverView.addTypesOfReads(plan, imports);
+    for (JavaPlan call : plan.calls()) {
+      TestDriverView.addTypesOfCall(call, imports);
+      TestDriverView.addTypesOfReads(call, imports);
+      imports.add(
+          call.nonblocking()
+              ? "org.sitaf.runtime.component.NonblockingCall"
+              : "org.sitaf.runtime.Stopwatch");
+      World world = call.world();
+      if (world != null && !(world.settle().isZero() && world.runFor().isZero())) {
+        imports.add("java.time.Duration");
+      }
+    }
+    return imports;
+  }
+}

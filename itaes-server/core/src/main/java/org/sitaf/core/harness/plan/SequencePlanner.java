@@ -1,0 +1,244 @@
+package org.sitaf.core.harness.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.activity.TargetMethod;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.plan.HarnessPlan.CallStep;
+import org.sitaf.core.harness.plan.HarnessPlan.EventStep;
+import org.sitaf.core.harness.plan.HarnessPlan.Given;
+import org.sitaf.core.harness.plan.HarnessPlan.Sequence;
+import org.sitaf.core.harness.plan.HarnessPlan.World;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceCall;
+import org.sitaf.core.model.sequence.SequenceEvent;
+import org.sitaf.core.model.sequence.SequenceSpec;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.TestSuite;
+
+/** Plans the steps of a sequence. Each call is planned as the call of a plain model is. */
+final class SequencePlanner {
+  private final Activity activity;
+  private final TestModel model;
+  private final SequenceSpec steps;
+  private final TestSuite suite;
+  private final Diagnostics diagnostics;
+
+  SequencePlanner(
+      Activity activity,
+      TestModel model,
+      SequenceSpec steps,
+      TestSuite suite,
+      Diagnostics diagnostics) {
+    this.activity = activity;
+    this.model = model;
+    this.steps = steps;
+    this.suite = suite;
+    this.diagnostics = diagnostics;
+  }
+
+  /**
+   * Adds the steps to the plan of everything else.
+   *
+   * @param targets methods of the calls, in their order
+   */
+  HarnessPlan plan(HarnessPlan whole, List<TargetMethod> targets) {
+    refuseUnsupported();
+    List<CallStep> calls = new ArrayList<>();
+    for (int i = 0; i < targets.size(); i++) {
+      calls.add(call(whole, steps.calls().get(i), targets.get(i)));
+    }
+    List<EventStep> events = steps.events().stream().map(this::event).toList();
+    return with(whole, new Sequence(calls, events, properties()));
+  }
+
+  private void refuseUnsupported() {
+    if (steps.threads() > 1) {
+      problem(
+          steps.line(),
+          "sequence_spec",
+          "threads=\"" + steps.threads() + "\" is not supported yet; remove the attribute");
+    }
+    for (SequenceCall call : steps.calls()) {
+      if (call.overlap()) {
+        problem(
+            call.line(),
+            "call " + call.name(),
+            "overlap=\"true\" is not supported yet; remove the attribute");
+      }
+      for (InputElement input : call.model().inputs()) {
+        if (input.kind() != InputKind.TDI) {
+          problem(
+              call.line(),
+              "call " + call.name(),
+              "test_element "
+                  + input.name()
+                  + " is a "
+                  + input.kind()
+                  + "; a call takes only TDI. Move it to the input_spec_list of the model, where it"
+                  + " holds from the start, or change the world by an event");
+        }
+      }
+    }
+    if (model.timing() != null) {
+      problem(steps.line(), "sequence_spec", "repeated calls (timing) are not supported");
+    }
+    if (!model.relations().isEmpty()) {
+      problem(steps.line(), "sequence_spec", "relation_list is not supported in a sequence");
+    }
+    if (activity.profile().reference() != null) {
+      diagnostics.error(
+          HarnessPlanner.PROFILE, 0, "reference", "is not supported for a model with a sequence");
+    }
+  }
+
+  private CallStep call(HarnessPlan whole, SequenceCall call, TargetMethod target) {
+    TestModel called = call.model();
+    TestSuite values =
+        new TestSuite(
+            suite.name(),
+            "",
+            suite.modelName(),
+            suite.generation(),
+            called.inputs().stream()
+                .filter(i -> i.kind() == InputKind.TDI)
+                .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
+                .toList(),
+            List.of());
+    World world = whole.world();
+    HarnessPlan plan =
+        new HarnessPlan(
+            whole.modelName(),
+            whole.description(),
+            target.declaring().name(),
+            target.method(),
+            whole.component(),
+            new ArgumentPlanner(target, called, values, diagnostics).plan(),
+            new OutputPlanner(target.method(), called, activity, diagnostics).plan(),
+            world == null
+                ? null
+                : new World(
+                    world.path(), List.of(), called.target().settle(), called.target().runFor()),
+            List.of(),
+            List.of(),
+            whole.provided(),
+            whole.types(),
+            whole.errors(),
+            whole.limits(),
+            null);
+    return new CallStep(call.name(), plan);
+  }
+
+  private EventStep event(SequenceEvent event) {
+    WorldDescription world = activity.world();
+    double value = number(event);
+    if (world == null) {
+      problem(
+          event.line(),
+          "event " + event.name(),
+          "sets " + event.set() + ", but activity.yaml has no world");
+    } else if (!event.isFault()) {
+      world
+          .parameter(event.set())
+          .ifPresentOrElse(
+              p -> {
+                if (value < p.min() || value > p.max()) {
+                  problem(
+                      event.line(),
+                      "event " + event.name(),
+                      "sets "
+                          + event.set()
+                          + " to "
+                          + value
+                          + ", which is outside its range from "
+                          + p.min()
+                          + " to "
+                          + p.max());
+                }
+              },
+              () ->
+                  problem(
+                      event.line(),
+                      "event " + event.name(),
+                      world.path() + " has no parameter " + event.set()));
+    }
+    return new EventStep(event.name(), event.set(), value);
+  }
+
+  /** The value of an event as a number; true is 1. */
+  private double number(SequenceEvent event) {
+    String literal = event.to().literal().strip();
+    if (literal.equals("true") || literal.equals("false")) {
+      return literal.equals("true") ? 1 : 0;
+    }
+    try {
+      return Double.parseDouble(literal);
+    } catch (NumberFormatException e) {
+      problem(event.line(), "event " + event.name(), "'" + literal + "' is not a number");
+      return 0;
+    }
+  }
+
+  /** The inputs of the model that are properties or constructor arguments of the component. */
+  private List<Given> properties() {
+    List<Given> properties = new ArrayList<>();
+    for (CaseParameter column : suite.parameters()) {
+      if (column.kind() != InputKind.TDI) {
+        continue;
+      }
+      if (!Words.isWord(column.name())) {
+        problem(
+            steps.line(),
+            "test_element " + column.name(),
+            "is a property of the component, so its name must be an identifier");
+        continue;
+      }
+      if (activity.profile().component().lifeCycle() == LifeCycle.SUITE) {
+        problem(
+            steps.line(),
+            "test_element " + column.name(),
+            "is a property of the component, which needs life_cycle: case in activity.yaml");
+      }
+      properties.add(new Given(column.name(), List.of(), type(column)));
+    }
+    return properties;
+  }
+
+  private DataType type(CaseParameter column) {
+    return model.inputs().stream()
+        .filter(i -> i.name().equals(column.name()))
+        .map(InputElement::type)
+        .findFirst()
+        .orElse(new DataType.Unknown(column.realType()));
+  }
+
+  private static HarnessPlan with(HarnessPlan whole, @Nullable Sequence sequence) {
+    return new HarnessPlan(
+        whole.modelName(),
+        whole.description(),
+        whole.interfaceName(),
+        whole.method(),
+        whole.component(),
+        whole.arguments(),
+        whole.outputs(),
+        whole.world(),
+        whole.stubs(),
+        whole.before(),
+        whole.provided(),
+        whole.types(),
+        whole.errors(),
+        whole.limits(),
+        sequence);
+  }
+
+  private void problem(int line, String element, String text) {
+    diagnostics.error(model.source(), line, element, text);
+  }
+}

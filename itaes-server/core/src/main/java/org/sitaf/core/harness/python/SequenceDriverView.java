@@ -1,0 +1,184 @@
+package org.sitaf.core.harness.python;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.description.CallType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlan.World;
+import org.sitaf.core.harness.plan.Hooks;
+import org.sitaf.core.harness.python.PythonPlan.Answer;
+import org.sitaf.core.harness.python.PythonText.Group;
+
+/** The view of the test driver of sequences: each step has the five parts of Fig. 10. */
+record SequenceDriverView(
+    String documentation,
+    String imports,
+    String component,
+    String suiteLife,
+    boolean hasNotHooks,
+    String notHooks,
+    String newSimulationControl,
+    String make,
+    boolean hasInputs,
+    String inputs,
+    List<String> initialReads,
+    String prepareWorld,
+    String prepareStub,
+    boolean periodic,
+    String period,
+    boolean runOn,
+    List<Choice> choices,
+    List<Call> calls,
+    List<Event> events) {
+
+  /** Which method executes a step. */
+  record Choice(String name, String call) {}
+
+  /** The method of a call. */
+  record Call(
+      String callDeclaration,
+      String callDocumentation,
+      String stepDocumentation,
+      String method,
+      List<String> reads,
+      @Nullable String settle,
+      @Nullable String runFor,
+      boolean nonblocking,
+      String call,
+      String outcome,
+      List<String> outputs) {}
+
+  /** The method of an event. */
+  record Event(String stepDocumentation, String method, String statement) {}
+
+  static SequenceDriverView of(PythonPlan plan) {
+    HarnessPlan neutral = plan.neutral();
+    List<String> notHooks = Hooks.among(neutral.provided(), PythonNames::snakeCase);
+    List<Choice> choices = new ArrayList<>();
+    List<Call> calls = new ArrayList<>();
+    List<Event> events = new ArrayList<>();
+    for (PythonPlan.Step step : plan.steps()) {
+      PythonPlan call = step.call();
+      choices.add(
+          new Choice(
+              PythonText.string(step.name()),
+              "self." + step.method() + (call == null ? "()" : "(step, result)")));
+      if (call == null) {
+        events.add(event(step, Objects.requireNonNull(step.event())));
+      } else {
+        calls.add(call(step, call));
+      }
+    }
+    return new SequenceDriverView(
+        PythonText.docstring(0, TestDriverView.documentation(neutral)),
+        imports(plan),
+        plan.component(),
+        neutral.component().lifeCycle() == LifeCycle.SUITE ? "True" : "False",
+        !notHooks.isEmpty(),
+        new Group(
+                "NOT_HOOKS = (",
+                notHooks.stream().map(PythonText::string).toList(),
+                notHooks.size() == 1 ? ",)" : ")")
+            .at(4),
+        new Group(
+                "self.simulation_control = SimulationControl(",
+                neutral.world() == null ? List.of() : List.of("run.simulation"),
+                ")")
+            .at(8),
+        TestDriverView.make(plan),
+        !plan.properties().isEmpty(),
+        new Group(
+                "return {",
+                plan.properties().stream()
+                    .map(
+                        p ->
+                            PythonText.string(p.column())
+                                + ": self.current_case.read("
+                                + PythonText.string(p.column())
+                                + ", "
+                                + PythonType.kind(p.type())
+                                + ")")
+                    .toList(),
+                "}")
+            .at(8),
+        TestDriverView.reads(plan),
+        new Group(
+                "self.simulation_control.prepare(",
+                plan.settings().stream().map(PythonPlan.Setting::local).toList(),
+                ")")
+            .at(8),
+        new Group(
+                "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")")
+            .at(8),
+        plan.isPeriodic(),
+        plan.isPeriodic()
+            ? PythonText.real(Objects.requireNonNull(neutral.component().period()).toNanos() / 1e9)
+            : "",
+        plan.runsOn(),
+        choices,
+        calls,
+        events);
+  }
+
+  private static Call call(PythonPlan.Step step, PythonPlan plan) {
+    World world = plan.neutral().world();
+    return new Call(
+        TestDriverView.callDeclaration(plan),
+        TestDriverView.callDocumentation(plan),
+        PythonText.docstring(
+            8, List.of("Execute the step " + PythonText.plain(step.name()) + ", a call.")),
+        step.method(),
+        TestDriverView.reads(plan),
+        world == null || world.settle().isZero()
+            ? null
+            : SimulationControlView.seconds(world.settle()),
+        world == null || world.runFor().isZero()
+            ? null
+            : SimulationControlView.seconds(world.runFor()),
+        plan.neutral().method().callType() == CallType.NONBLOCKING,
+        TestDriverView.call(plan),
+        TestDriverView.outcome(plan),
+        plan.neutral().outputs().stream().map(o -> TestDriverView.output(plan, o)).toList());
+  }
+
+  private static Event event(PythonPlan.Step step, HarnessPlan.EventStep event) {
+    return new Event(
+        PythonText.docstring(
+            8,
+            List.of(
+                "Execute the step "
+                    + PythonText.plain(step.name())
+                    + ", an event that sets "
+                    + PythonText.plain(event.parameter())
+                    + ".")),
+        step.method(),
+        new Group(
+                "self.simulation_control.set(",
+                List.of(PythonText.string(event.parameter()), PythonText.real(event.value())),
+                ")")
+            .at(8));
+  }
+
+  private static String imports(PythonPlan plan) {
+    Imports imports =
+        new Imports()
+            .add("abc", "abstractmethod")
+            .add(plan.packageName() + ".simulation_control", "SimulationControl")
+            .add(plan.packageName() + ".test_stub", "TestStub")
+            .add("sitaf_runtime.run", "TestRun")
+            .add("sitaf_runtime.sequence", "SequenceDriver")
+            .add("sitaf_runtime.suite.result", "CaseResult")
+            .add("sitaf_runtime.suite.test_case", "TestCase")
+            .add("sitaf_runtime.suite.test_case", "TestStep");
+    TestDriverView.importValues(plan, imports);
+    plan.properties().forEach(p -> PythonType.importKind(p.type(), imports));
+    for (PythonPlan call : plan.calls()) {
+      TestDriverView.importCall(call, imports);
+      TestDriverView.importValues(call, imports);
+    }
+    return imports.text();
+  }
+}
