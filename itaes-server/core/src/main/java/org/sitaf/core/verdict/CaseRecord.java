@@ -18,6 +18,7 @@ import org.sitaf.core.timing.RepeatedCalls;
  * @param repeated the repeated calls; null if there are none
  * @param notes what the component did that the test does not look at
  * @param message describes the exception or the reason; empty if the call returned
+ * @param steps the steps of a sequence that ended, in their order; empty if the case is one call
  */
 public record CaseRecord(
     int no,
@@ -28,7 +29,8 @@ public record CaseRecord(
     CaseResult.@Nullable ProcessingTime time,
     @Nullable RepeatedCalls repeated,
     String message,
-    List<String> notes) {
+    List<String> notes,
+    List<StepRecord> steps) {
   public CaseRecord {
     Objects.requireNonNull(outcome);
     Objects.requireNonNull(thrown);
@@ -36,6 +38,21 @@ public record CaseRecord(
     Objects.requireNonNull(calls);
     Objects.requireNonNull(message);
     notes = List.copyOf(notes);
+    steps = List.copyOf(steps);
+  }
+
+  /** A record without steps. */
+  public CaseRecord(
+      int no,
+      Outcome outcome,
+      String thrown,
+      List<NamedValue> actual,
+      StubCalls calls,
+      CaseResult.@Nullable ProcessingTime time,
+      @Nullable RepeatedCalls repeated,
+      String message,
+      List<String> notes) {
+    this(no, outcome, thrown, actual, calls, time, repeated, message, notes, List.of());
   }
 
   /** A record without notes. */
@@ -87,7 +104,13 @@ public record CaseRecord(
 
   /** A copy without processing times. */
   public CaseRecord withoutTime() {
-    return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message, notes);
+    return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message, notes, steps);
+  }
+
+  /** A copy with the steps of a sequence. */
+  public CaseRecord with(List<StepRecord> ended) {
+    return new CaseRecord(
+        no, outcome, thrown, actual, calls, time, repeated, message, notes, ended);
   }
 
   /** A copy that says that its call was the first of its process. */
@@ -103,6 +126,7 @@ public record CaseRecord(
             new CaseResult.ProcessingTime(time.total(), time.hardware(), time.stub(), true),
             repeated,
             message,
-            notes);
+            notes,
+            steps);
   }
 }

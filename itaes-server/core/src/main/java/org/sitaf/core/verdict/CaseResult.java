@@ -17,6 +17,7 @@ import org.sitaf.core.timing.RepeatedCalls;
  * @param repeated the repeated calls; null if there are none
  * @param message why the verdict is not PASS; empty otherwise
  * @param notes what the component did that the test does not look at
+ * @param steps of a sequence; empty if the case is one call
  */
 public record CaseResult(
     int no,
@@ -30,7 +31,8 @@ public record CaseResult(
     @Nullable ProcessingTime time,
     @Nullable RepeatedCalls repeated,
     String message,
-    List<String> notes) {
+    List<String> notes,
+    List<StepResult> steps) {
   public CaseResult {
     Objects.requireNonNull(verdict);
     Objects.requireNonNull(message);
@@ -42,6 +44,37 @@ public record CaseResult(
     trajectories = trajectories == null ? List.of() : List.copyOf(trajectories);
     relations = relations == null ? List.of() : List.copyOf(relations);
     notes = notes == null ? List.of() : List.copyOf(notes);
+    steps = steps == null ? List.of() : List.copyOf(steps);
+  }
+
+  /** A result without steps. */
+  public CaseResult(
+      int no,
+      Verdict verdict,
+      List<String> values,
+      List<NamedValue> expected,
+      List<NamedValue> actual,
+      StubCalls calls,
+      List<TrajectoryResult> trajectories,
+      List<RelationResult> relations,
+      @Nullable ProcessingTime time,
+      @Nullable RepeatedCalls repeated,
+      String message,
+      List<String> notes) {
+    this(
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        relations,
+        time,
+        repeated,
+        message,
+        notes,
+        List.of());
   }
 
   /** A result without notes. */
@@ -116,7 +149,26 @@ public record CaseResult(
         time,
         repeated,
         message,
-        found);
+        found,
+        steps);
+  }
+
+  /** A copy with the steps of a sequence. */
+  public CaseResult withSteps(List<StepResult> executed) {
+    return new CaseResult(
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        relations,
+        time,
+        repeated,
+        message,
+        notes,
+        executed);
   }
 
   /** A copy with the results of relations. */
@@ -153,7 +205,8 @@ public record CaseResult(
         time,
         newRepeated,
         newMessage,
-        notes);
+        notes,
+        steps);
   }
 
   /**

@@ -5,20 +5,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
-import org.sitaf.core.description.DataType;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.InterfaceDescription;
-import org.sitaf.core.description.MemberPath;
-import org.sitaf.core.expression.EvaluationException;
-import org.sitaf.core.expression.Expression;
-import org.sitaf.core.expression.Variables;
-import org.sitaf.core.model.Condition;
-import org.sitaf.core.model.InputElement;
-import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.Value;
-import org.sitaf.core.suite.InputValidity;
-import org.sitaf.core.suite.PostConditions;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.timing.RepeatedCalls;
@@ -32,12 +21,10 @@ import org.sitaf.core.trajectory.TrajectoryConditions;
 public final class ResultAssembler {
   private final TestModel model;
   private final TestSuite suite;
-  private final List<Expression> postConditions;
-  private final CallRecord calls;
-  private final Expectations expectations;
+  private final CallVerdicts call;
   private final TrajectoryVerdicts trajectories;
   private final RelationVerdicts relations;
-  private final InputValidity validity;
+  private final @Nullable SequenceVerdicts sequences;
   private final Map<Integer, TestCase> cases = new HashMap<>();
 
   /** Creates an assembler for a component that requires no interfaces. */
@@ -81,14 +68,17 @@ public final class ResultAssembler {
       List<InterfaceDescription> required,
       TrajectoryConditions trajectories,
       List<ExecutedSecondRun> secondRuns) {
-    this.relations = new RelationVerdicts(model, secondRuns, this::expectsException);
-    this.trajectories = new TrajectoryVerdicts(trajectories);
-    this.calls = new CallRecord(required);
     this.model = Objects.requireNonNull(model);
-    this.expectations = new Expectations(model);
     this.suite = Objects.requireNonNull(suite);
-    this.validity = new InputValidity(model, suite.generation().seed());
-    this.postConditions = PostConditions.of(model);
+    CallRecord calls = new CallRecord(required);
+    long seed = suite.generation().seed();
+    this.call = new CallVerdicts(model, calls, seed);
+    this.trajectories = new TrajectoryVerdicts(trajectories);
+    this.relations = new RelationVerdicts(model, secondRuns, call::expectsException);
+    this.sequences =
+        model.sequence() == null
+            ? null
+            : new SequenceVerdicts(model, model.sequence(), calls, call, this.trajectories, seed);
     suite.cases().forEach(c -> cases.put(c.no(), c));
   }
 
@@ -125,96 +115,15 @@ public final class ResultAssembler {
     if (testCase == null) {
       throw new IllegalArgumentException("the suite has no case " + record.no());
     }
-    CaseResult result = expectations.judge(testCase, record);
-    boolean threw = record.outcome() == CaseRecord.Outcome.THREW;
-    Optional<CaseResult> accepted =
-        threw && result.verdict() == Verdict.ERROR
-            ? accepted(testCase, record, result)
-            : Optional.empty();
-    boolean completed =
-        record.outcome() == CaseRecord.Outcome.RETURNED
-            || threw && (result.verdict() == Verdict.PASS || accepted.isPresent());
-    Map<String, Object> inputs = completed ? inputs(testCase, record.thrown()).map() : Map.of();
-    if (accepted.isPresent()) {
-      result = accepted.get();
-    } else if (completed) {
-      result = trajectories.judge(withPostConditions(testCase, record, result), inputs, signals);
+    if (sequences != null) {
+      return sequences.judge(testCase, record, signals);
     }
-    return relations.judge(testCase, record, result, completed, inputs);
-  }
-
-  /** Whether a case may throw the recorded exception. */
-  private boolean expectsException(TestCase testCase, CaseRecord record) {
-    CaseResult result = expectations.judge(testCase, record);
-    return result.verdict() == Verdict.PASS || accepted(testCase, record, result).isPresent();
-  }
-
-  /**
-   * Where no output has an expected value, post-conditions about {@code error} decide whether an
-   * exception is right. If it is not, the case remains an ERROR.
-   */
-  private Optional<CaseResult> accepted(TestCase testCase, CaseRecord record, CaseResult result) {
-    if (!testCase.expected().isEmpty()
-        || postConditions.stream().noneMatch(c -> c.mentions(Variables.ERROR))
-        || model.inputs().stream().anyMatch(i -> i.name().equals(Variables.ERROR))) {
-      return Optional.empty();
-    }
-    CaseResult passed =
-        new CaseResult(
-            result.no(),
-            Verdict.PASS,
-            result.values(),
-            List.of(),
-            List.of(new NamedValue("", Value.ERROR_PREFIX + record.thrown())),
-            result.calls(),
-            record.time(),
-            "");
-    return Optional.of(withPostConditions(testCase, record, passed))
-        .filter(judged -> judged.verdict() == Verdict.PASS);
-  }
-
-  private CaseResult withPostConditions(TestCase testCase, CaseRecord record, CaseResult result) {
-    CaseResult judged = result;
-    for (int i = 0; i < postConditions.size(); i++) {
-      Expression condition = postConditions.get(i);
-      Condition written = model.postConditions().get(i);
-      String label = written.name().isEmpty() ? condition.text() : written.name();
-      if (condition.mentions(Variables.CALLS) && result.calls().leftOut() > 0) {
-        judged =
-            judged.withVerdict(
-                Verdict.ERROR,
-                "post-condition cannot be evaluated: "
-                    + label
-                    + ": of "
-                    + (result.calls().recorded().size() + result.calls().leftOut())
-                    + " calls only the first "
-                    + result.calls().recorded().size()
-                    + " were recorded");
-        continue;
-      }
-      try {
-        Map<String, Object> variables = variables(testCase, record, result);
-        if (!condition.isTrue(variables)) {
-          String compared = condition.explain(variables);
-          judged =
-              judged.withVerdict(
-                  judged.verdict().worse(Verdict.FAIL),
-                  "post-condition violated: "
-                      + label
-                      + (compared.isEmpty() ? "" : ": " + compared));
-        }
-      } catch (EvaluationException | IllegalArgumentException e) {
-        judged =
-            judged.withVerdict(
-                Verdict.ERROR,
-                "post-condition cannot be evaluated: "
-                    + label
-                    + ": "
-                    + e.getMessage()
-                    + location(written));
-      }
-    }
-    return judged;
+    CallVerdicts.Judged judged = call.judge(testCase, record, Map.of());
+    CaseResult result =
+        judged.completed() && !judged.accepted()
+            ? trajectories.judge(judged.result(), judged.inputs(), signals)
+            : judged.result();
+    return relations.judge(testCase, record, result, judged.completed(), judged.inputs());
   }
 
   /**
@@ -235,7 +144,10 @@ public final class ResultAssembler {
         model.name(),
         provenance,
         Statistics.of(
-            all, !model.postConditions().isEmpty() || !model.trajectoryConditions().isEmpty()),
+            all,
+            !model.postConditions().isEmpty()
+                || !model.trajectoryConditions().isEmpty()
+                || sequences != null && sequences.havePostConditions()),
         suite.parameters(),
         all,
         null);
@@ -248,56 +160,19 @@ public final class ResultAssembler {
       throw new IllegalArgumentException("the suite has no case " + no);
     }
     CaseResult result = notExecuted(testCase, reason);
-    return new CaseResult(no, verdict, result.values(), result.expected(), List.of(), null, reason);
+    return new CaseResult(no, verdict, result.values(), result.expected(), List.of(), null, reason)
+        .withSteps(result.steps());
   }
 
   private static CaseResult notExecuted(TestCase testCase, String reason) {
     return new CaseResult(
-        testCase.no(),
-        Verdict.DONT,
-        testCase.values(),
-        testCase.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList(),
-        List.of(),
-        null,
-        reason);
-  }
-
-  /** File and line of a condition in parentheses; empty if unknown. */
-  private String location(Condition condition) {
-    int line = condition.line();
-    return line == 0 ? "" : " (" + model.source() + ":" + line + ")";
-  }
-
-  private Variables inputs(TestCase testCase, String thrown) {
-    Variables variables = new Variables();
-    validity.put(variables, testCase);
-    variables.put(Variables.ERROR, (Object) thrown);
-    for (int i = 0; i < model.inputs().size(); i++) {
-      InputElement input = model.inputs().get(i);
-      variables.put(input.name(), testCase.values().get(i), input.type());
-    }
-    return variables;
-  }
-
-  private Map<String, Object> variables(TestCase testCase, CaseRecord record, CaseResult result) {
-    Variables variables = inputs(testCase, record.thrown());
-    for (NamedValue actual : result.actual()) {
-      OutputElement output = model.output(actual.output()).orElse(null);
-      if (output != null) {
-        variables.put("actual_" + output.name(), actual.literal(), output.type());
-        if (MemberPath.root(output.name()).equals(OutputElement.RETURN_NAME)) {
-          String part = output.name().substring(OutputElement.RETURN_NAME.length());
-          variables.put("actual" + part, actual.literal(), output.type());
-        }
-      } else if (actual.output().isEmpty() || actual.output().equals(OutputElement.RETURN_NAME)) {
-        variables.put(
-            "actual", (Object) Variables.plain(actual.literal(), new DataType.Unknown("")));
-      }
-    }
-    variables.put(Variables.CALLS, (Object) calls.of(result.calls()));
-    if (model.inputs().stream().noneMatch(i -> i.name().equals(Variables.MESSAGES))) {
-      variables.put(Variables.MESSAGES, (Object) calls.messages(result.calls()));
-    }
-    return variables.map();
+            testCase.no(),
+            Verdict.DONT,
+            testCase.values(),
+            testCase.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList(),
+            List.of(),
+            null,
+            reason)
+        .withSteps(SequenceVerdicts.notExecuted(testCase, reason));
   }
 }

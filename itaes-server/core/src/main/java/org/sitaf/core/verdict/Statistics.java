@@ -32,12 +32,26 @@ public final class Statistics {
   }
 
   private static boolean isUnjudged(CaseResult result) {
-    return result.expected().stream().allMatch(e -> e.literal().strip().equals(Value.ANY))
+    return isUnjudged(result.expected())
+        && result.steps().stream().allMatch(s -> isUnjudged(s.expected()))
         && result.relations().stream().noneMatch(r -> r.outcome() == RelationResult.Outcome.PASS);
   }
 
+  private static boolean isUnjudged(List<NamedValue> expected) {
+    return expected.stream().allMatch(e -> e.literal().strip().equals(Value.ANY));
+  }
+
+  /** A sequence counts if none of its calls gave a value. */
   private static boolean endedWithError(CaseResult result) {
-    return result.actual().stream().anyMatch(a -> a.literal().startsWith(Value.ERROR_PREFIX));
+    List<StepResult> calls = result.steps().stream().filter(s -> !s.actual().isEmpty()).toList();
+    if (!result.steps().isEmpty()) {
+      return !calls.isEmpty() && calls.stream().allMatch(s -> isError(s.actual()));
+    }
+    return isError(result.actual());
+  }
+
+  private static boolean isError(List<NamedValue> values) {
+    return values.stream().anyMatch(a -> a.literal().startsWith(Value.ERROR_PREFIX));
   }
 
   /**

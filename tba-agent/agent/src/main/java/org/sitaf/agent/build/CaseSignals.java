@@ -3,6 +3,7 @@ package org.sitaf.agent.build;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.OutputSink;
@@ -17,6 +18,7 @@ import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.Target;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.verdict.CaseRecord;
@@ -44,11 +46,15 @@ final class CaseSignals {
     this.listener = listener;
     WorldDescription world = application.activity().world();
     List<String> all = world == null ? List.of() : WorldSignals.of(world);
+    boolean sequence = application.model().sequence() != null;
     Diagnostics diagnostics = new Diagnostics();
     Limits limits = application.activity().profile().limits();
     this.conditions =
         TrajectoryConditions.compile(
-            application.model(), all, limits.caseSimulation().toNanos() / 1e9, diagnostics);
+            application.model(),
+            sequence ? SequenceSignal.with(all) : all,
+            limits.caseSimulation().toNanos() / 1e9,
+            diagnostics);
     diagnostics.throwIfErrors();
     this.reported = settings.signals() && world != null;
     SignalLimits limitsOfKept = settings.kept();
@@ -62,7 +68,11 @@ final class CaseSignals {
                 world,
                 conditions,
                 listener);
-    List<String> names = List.copyOf(new TreeSet<>(this.reported ? all : conditions.signals()));
+    SortedSet<String> sampled = new TreeSet<>(this.reported ? all : conditions.signals());
+    if (sequence) {
+      sampled.remove(SequenceSpec.STEP);
+    }
+    List<String> names = List.copyOf(sampled);
     // The time alone gives the number of samples.
     this.order = new SignalOrder(names.isEmpty() ? List.of("t") : names, conditions.needSettling());
   }
@@ -89,6 +99,16 @@ final class CaseSignals {
   private void requireMemory(long stepNanos) throws CompilationException {
     Target target = application.model().target();
     long nanos = target.runFor().toNanos() + (order.settling() ? target.settle().toNanos() : 0);
+    SequenceSpec sequence = application.model().sequence();
+    if (sequence != null) {
+      long longest =
+          sequence.calls().stream()
+              .map(c -> c.model().target())
+              .mapToLong(t -> t.settle().toNanos() + t.runFor().toNanos())
+              .max()
+              .orElse(0);
+      nanos += longest * sequence.length();
+    }
     long samples = nanos / Math.max(1, stepNanos) + 1;
     int limit = application.activity().profile().limits().memoryMiB();
     for (Map.Entry<String, Long> needed :
@@ -126,6 +146,9 @@ final class CaseSignals {
       trace = simulator.takeSignals(record.no());
     } catch (SimulatorException e) {
       problem = String.valueOf(e.getMessage());
+    }
+    if (!record.steps().isEmpty()) {
+      trace = trace.map(t -> SequenceSignal.added(t, record.steps()));
     }
     if (reported && trace.isPresent()) {
       listener.signals(record.no(), trace.get());

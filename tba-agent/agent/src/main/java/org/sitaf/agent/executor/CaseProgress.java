@@ -8,11 +8,13 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.timing.Timing;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.StepRecord;
 import org.sitaf.core.verdict.document.CaseRecordLine;
 
 /**
@@ -51,6 +53,9 @@ final class CaseProgress implements ResultsChannel.Lines {
   private double elapsedUs = Double.POSITIVE_INFINITY;
   private int next;
 
+  /** The steps of the current case that have ended. */
+  private final List<StepRecord> steps = new ArrayList<>();
+
   /**
    * Creates a progress without results.
    *
@@ -67,7 +72,9 @@ final class CaseProgress implements ResultsChannel.Lines {
     this.judge = judge;
     this.suspicions = new Suspicions(sink);
     long ofCalls = timing == null ? 0 : MAX_BYTES_OF_CALL * timing.repeat();
-    this.maxBytes = MAX_BYTES + (MAX_BYTES_OF_CASE + ofCalls) * cases.size();
+    long steps = cases.stream().mapToLong(c -> c.steps().size()).sum();
+    this.maxBytes =
+        MAX_BYTES + (MAX_BYTES_OF_CASE + ofCalls) * cases.size() + MAX_BYTES_OF_CASE * steps;
     cases.forEach(testCase -> byNumber.put(testCase.no(), testCase));
   }
 
@@ -97,6 +104,7 @@ final class CaseProgress implements ResultsChannel.Lines {
   void beginProcess() {
     ready = false;
     called = false;
+    steps.clear();
   }
 
   /** Whether the process has reported that it is ready for its first case. */
@@ -150,11 +158,21 @@ final class CaseProgress implements ResultsChannel.Lines {
 
   @Override
   public void tooLong() {
-    if (!isComplete()) {
-      currentFailed(
-          "the result of this case is longer than "
-              + (ResultsChannel.MAX_LINE >> 20)
-              + " MiB; reduce the size of the outputs");
+    if (isComplete()) {
+      return;
+    }
+    String message =
+        "the result is longer than "
+            + (ResultsChannel.MAX_LINE >> 20)
+            + " MiB; reduce the size of the outputs";
+    TestCase testCase = current();
+    if (steps.size() < testCase.steps().size()) {
+      // The process continues with the next step.
+      int number = steps.size() + 1;
+      String name = testCase.steps().get(number - 1).name();
+      steps.add(StepRecord.error(testCase.no(), number, name, message));
+    } else {
+      currentFailed(message);
     }
   }
 
@@ -162,6 +180,10 @@ final class CaseProgress implements ResultsChannel.Lines {
   @Override
   public void content(String line) {
     ready = true;
+    if (CaseRecordLine.isStep(line)) {
+      step(line);
+      return;
+    }
     CaseRecord record;
     try {
       record = CaseRecordLine.read(line, timing);
@@ -178,12 +200,41 @@ final class CaseProgress implements ResultsChannel.Lines {
       if (testCase != current()) {
         suspicions.add("results arrived in another order than the cases of the suite");
       }
-      bytes += line.length();
-      if (bytes > maxBytes) {
-        full = "the results exceed " + (maxBytes >> 20) + " MiB";
-      }
-      accept(withFirstCall(checked(record)));
+      count(line);
+      List<StepRecord> ended = testCase == current() ? List.copyOf(steps) : List.of();
+      steps.clear();
+      accept(withFirstCall(checked(record)).with(ended));
     }
+  }
+
+  private void count(String line) {
+    bytes += line.length();
+    if (bytes > maxBytes) {
+      full = "the results exceed " + (maxBytes >> 20) + " MiB";
+    }
+  }
+
+  /** The steps of a case arrive in their order, before the record of the case. */
+  private void step(String line) {
+    StepRecord record;
+    try {
+      record = CaseRecordLine.readStep(line);
+    } catch (InvalidInputException e) {
+      suspicious("a numbered line is not a step_record: " + e.getMessage(), line.length());
+      return;
+    }
+    List<TestStep> expected = isComplete() ? List.of() : current().steps();
+    int next = steps.size();
+    if (isComplete()
+        || record.record().no() != current().no()
+        || next >= expected.size()
+        || record.number() != next + 1
+        || !record.name().equals(expected.get(next).name())) {
+      suspicious("a result of a step that is not the next one of the case", line.length());
+      return;
+    }
+    count(line);
+    steps.add(record.with(withFirstCall(checked(record.record()))));
   }
 
   /** Marks the first call of the process, which also loads and compiles code. */
@@ -224,7 +275,9 @@ final class CaseProgress implements ResultsChannel.Lines {
 
   /** Records an error for the current case, which the test application could not report. */
   void currentFailed(String message) {
-    accept(CaseRecord.error(current().no(), message));
+    List<StepRecord> ended = List.copyOf(steps);
+    steps.clear();
+    accept(CaseRecord.error(current().no(), message).with(ended));
   }
 
   private void accept(CaseRecord record) {

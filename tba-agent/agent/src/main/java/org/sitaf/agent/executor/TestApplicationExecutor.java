@@ -233,12 +233,15 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
       Duration pause = POLL;
       while (true) {
         boolean ended = process.awaitEnd(pause);
+        int cases = progress.count();
+        boolean wasReady = progress.isReady();
         boolean more = drain(process);
         pause = more ? BUSY_POLL : POLL;
         if (progress.isFull()) {
           return Follow.TOO_MUCH;
         }
-        if (more) {
+        // The steps of a sequence share the time of their case.
+        if (progress.count() > cases || progress.isReady() != wasReady) {
           deadline = System.nanoTime() + limit.toNanos();
         }
         if (ended) {

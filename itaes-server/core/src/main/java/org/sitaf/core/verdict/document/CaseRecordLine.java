@@ -11,14 +11,16 @@ import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseRecord.Outcome;
 import org.sitaf.core.verdict.CaseResult.ProcessingTime;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.StepRecord;
 import org.sitaf.core.verdict.StubCalls;
 
 /**
- * Reads the line that a test application writes when a case has ended (docs/test-application.md,
- * The record of a case). The form is fixed, so reading takes a tenth of the time of an XML parser;
- * builds have a hundred thousand of these lines.
+ * Reads the line that a test application writes when a case or a step has ended
+ * (docs/test-application.md, The record of a case). The form is fixed, so reading takes a tenth of
+ * the time of an XML parser; builds have a hundred thousand of these lines.
  */
 public final class CaseRecordLine {
+  private static final String STEP = "<step_record ";
   private static final int MAX_DIGITS = 15;
   private static final int MAX_DIGITS_OF_CASE = 9;
 
@@ -50,12 +52,44 @@ public final class CaseRecordLine {
     return new CaseRecordLine(line, ordered).record();
   }
 
+  /** Whether a line is the record of a step. */
+  public static boolean isStep(String line) {
+    return line.startsWith(STEP);
+  }
+
+  /**
+   * The record of a step of a sequence.
+   *
+   * @throws InvalidInputException when the line is not a {@code step_record} element
+   */
+  public static StepRecord readStep(String line) {
+    return new CaseRecordLine(line, null).step();
+  }
+
+  private StepRecord step() {
+    expect(STEP + "no=\"");
+    int no = (int) whole(MAX_DIGITS_OF_CASE);
+    expect("\" step=\"");
+    int number = (int) whole(MAX_DIGITS_OF_CASE);
+    expect("\" name=\"");
+    String name = text("\" outcome=\"");
+    Outcome outcome = outcome();
+    expect("\" at_ns=\"");
+    long at = whole(MAX_DIGITS);
+    expect("\">");
+    return new StepRecord(number, name, at, content(no, outcome, "</step_record>"));
+  }
+
   private CaseRecord record() {
     expect("<case_record no=\"");
     int no = (int) whole(MAX_DIGITS_OF_CASE);
     expect("\" outcome=\"");
     Outcome outcome = outcome();
     expect("\">");
+    return content(no, outcome, "</case_record>");
+  }
+
+  private CaseRecord content(int no, Outcome outcome, String end) {
     String thrown = "";
     if (outcome == Outcome.THREW) {
       expect("<thrown>");
@@ -80,7 +114,7 @@ public final class CaseRecordLine {
     while (skip("<note>")) {
       notes.add(text("</note>"));
     }
-    expect("</case_record>");
+    expect(end);
     if (at != line.length()) {
       throw invalid("nothing");
     }
@@ -252,6 +286,12 @@ public final class CaseRecordLine {
 
   private InvalidInputException invalid(String expected) {
     return InvalidInputException.of(
-        "results", "not a case_record: at character " + (at + 1) + " expected " + expected);
+        "results",
+        "not a "
+            + (isStep(line) ? "step" : "case")
+            + "_record: at character "
+            + (at + 1)
+            + " expected "
+            + expected);
   }
 }

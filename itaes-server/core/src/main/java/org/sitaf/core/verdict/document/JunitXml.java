@@ -10,6 +10,7 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.StepResult;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 
@@ -92,7 +93,7 @@ public final class JunitXml {
     xml.writeCharacters("\n    ");
     xml.writeStartElement("testcase");
     xml.writeAttribute("classname", activity + "." + result.name());
-    xml.writeAttribute("name", testCase.no() + ": " + inputs);
+    xml.writeAttribute("name", testCase.no() + ": " + name(inputs, testCase.steps()));
     xml.writeAttribute("time", seconds(microseconds(testCase)));
     String element =
         switch (testCase.verdict()) {
@@ -105,7 +106,9 @@ public final class JunitXml {
       xml.writeStartElement(element);
       xml.writeAttribute("message", testCase.message());
       xml.writeCharacters(
-          "expected " + values(testCase.expected()) + ", actual " + values(testCase.actual()));
+          testCase.steps().isEmpty()
+              ? "expected " + values(testCase.expected()) + ", actual " + values(testCase.actual())
+              : steps(testCase.steps()));
       xml.writeEndElement();
     }
     if (testCase.repeated() != null && testCase.repeated().differ()) {
@@ -114,6 +117,32 @@ public final class JunitXml {
       xml.writeEndElement();
     }
     xml.writeEndElement();
+  }
+
+  /** The inputs and the steps of a sequence. */
+  private static String name(String inputs, List<StepResult> steps) {
+    String names = steps.stream().map(StepResult::name).collect(Collectors.joining(" "));
+    return inputs.isEmpty() || names.isEmpty() ? inputs + names : inputs + ": " + names;
+  }
+
+  private static String steps(List<StepResult> steps) {
+    return IntStream.range(0, steps.size())
+        .mapToObj(i -> step(i + 1, steps.get(i)))
+        .collect(Collectors.joining("\n"));
+  }
+
+  private static String step(int number, StepResult step) {
+    return number
+        + " "
+        + step.name()
+        + "("
+        + String.join(", ", step.values())
+        + "): "
+        + step.verdict()
+        + (step.afterFailure() ? " after a failure" : "")
+        + (step.expected().isEmpty() ? "" : ", expected " + values(step.expected()))
+        + (step.actual().isEmpty() ? "" : ", actual " + values(step.actual()))
+        + (step.message().isEmpty() ? "" : ": " + step.message());
   }
 
   private static String values(List<NamedValue> values) {

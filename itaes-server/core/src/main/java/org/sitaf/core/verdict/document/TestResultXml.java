@@ -107,7 +107,6 @@ public final class TestResultXml {
       throw new IllegalArgumentException(
           "verdict must be PASS, FAIL, ERROR or DONT, not '" + given.getVerdict() + "'", e);
     }
-    CaseTimeType time = given.getProcessingTime();
     CaseResult read =
         new CaseResult(
             given.getNo(),
@@ -125,16 +124,34 @@ public final class TestResultXml {
                 given.getCallsLeftOut() == null ? 0 : given.getCallsLeftOut()),
             given.getTrajectory().stream().map(TestResultXml::read).toList(),
             given.getRelation().stream().map(TestResultXml::read).toList(),
-            time == null
-                ? null
-                : new CaseResult.ProcessingTime(
-                    time.getValue(),
-                    orZero(time.getHardware()),
-                    orZero(time.getStub()),
-                    Boolean.TRUE.equals(time.isCold())),
+            read(given.getProcessingTime()),
             RepeatedCallsXml.read(given.getRepeatedCalls()),
             given.getMessage() == null ? "" : given.getMessage());
-    return given.getNote().isEmpty() ? read : read.withNotes(given.getNote());
+    CaseResult result = given.getNote().isEmpty() ? read : read.withNotes(given.getNote());
+    return given.getStep().isEmpty() ? result : result.withSteps(StepsXml.read(given.getStep()));
+  }
+
+  static CaseResult.@Nullable ProcessingTime read(@Nullable CaseTimeType time) {
+    return time == null
+        ? null
+        : new CaseResult.ProcessingTime(
+            time.getValue(),
+            orZero(time.getHardware()),
+            orZero(time.getStub()),
+            Boolean.TRUE.equals(time.isCold()));
+  }
+
+  static @Nullable CaseTimeType write(CaseResult.@Nullable ProcessingTime given) {
+    if (given == null) {
+      return null;
+    }
+    CaseTimeType time = new CaseTimeType();
+    time.setUnit(MICROSECONDS);
+    time.setValue(given.total());
+    time.setHardware(given.hardware());
+    time.setStub(given.stub());
+    time.setCold(given.cold() ? true : null);
+    return time;
   }
 
   private static TrajectoryResult read(TrajectoryType given) {
@@ -173,7 +190,7 @@ public final class TestResultXml {
     return written;
   }
 
-  private static List<NamedValue> read(List<NamedValueType> values) {
+  static List<NamedValue> read(List<NamedValueType> values) {
     return values.stream()
         .map(
             v ->
@@ -237,22 +254,15 @@ public final class TestResultXml {
     written.setCallsLeftOut(result.calls().leftOut() == 0 ? null : result.calls().leftOut());
     result.trajectories().forEach(t -> written.getTrajectory().add(write(t)));
     result.relations().forEach(r -> written.getRelation().add(write(r)));
-    if (result.time() != null) {
-      CaseTimeType time = new CaseTimeType();
-      time.setUnit(MICROSECONDS);
-      time.setValue(result.time().total());
-      time.setHardware(result.time().hardware());
-      time.setStub(result.time().stub());
-      time.setCold(result.time().cold() ? true : null);
-      written.setProcessingTime(time);
-    }
+    written.getStep().addAll(StepsXml.write(result.steps()));
+    written.setProcessingTime(write(result.time()));
     written.setRepeatedCalls(RepeatedCallsXml.write(result.repeated()));
     written.setMessage(result.message().isEmpty() ? null : result.message());
     written.getNote().addAll(result.notes());
     return written;
   }
 
-  private static List<NamedValueType> write(List<NamedValue> values) {
+  static List<NamedValueType> write(List<NamedValue> values) {
     return values.stream()
         .map(
             v -> {

@@ -1,0 +1,262 @@
+package org.sitaf.core.verdict;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceCall;
+import org.sitaf.core.model.sequence.SequenceSpec;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestStep;
+import org.sitaf.core.verdict.CaseRecord.Outcome;
+
+/**
+ * Judges sequences: each step as a call of its own model, then the model's own post-conditions over
+ * all steps, and the trajectory conditions over the whole case. The first step that did not pass
+ * decides.
+ */
+final class SequenceVerdicts {
+  private final Map<String, CallVerdicts> calls = new HashMap<>();
+  private final Map<String, TestModel> models = new HashMap<>();
+  private final AbstractStates states;
+  private final CallVerdicts whole;
+  private final TrajectoryVerdicts trajectories;
+  private final StepMaps maps;
+
+  /**
+   * Creates the judge of a model's sequences.
+   *
+   * @param whole judges the model's own post-conditions
+   * @param seed seed of the suite
+   */
+  SequenceVerdicts(
+      TestModel model,
+      SequenceSpec sequence,
+      CallRecord record,
+      CallVerdicts whole,
+      TrajectoryVerdicts trajectories,
+      long seed) {
+    for (SequenceCall call : sequence.calls()) {
+      calls.put(call.name(), new CallVerdicts(call.model(), record, seed));
+      models.put(call.name(), call.model());
+    }
+    this.states = new AbstractStates(model, sequence);
+    this.whole = whole;
+    this.trajectories = trajectories;
+    this.maps = new StepMaps(models);
+  }
+
+  /** Whether a call has post-conditions. */
+  boolean havePostConditions() {
+    return models.values().stream().anyMatch(m -> !m.postConditions().isEmpty());
+  }
+
+  /** The steps of a case that was not executed. */
+  static List<StepResult> notExecuted(TestCase testCase, String reason) {
+    return testCase.steps().stream().map(s -> missing(s, Verdict.DONT, false, reason)).toList();
+  }
+
+  /**
+   * The result of a case.
+   *
+   * @param signals used if all steps were executed and the model has trajectory conditions
+   */
+  CaseResult judge(TestCase testCase, CaseRecord record, TraceSource signals) {
+    List<StepResult> steps = steps(testCase, record);
+    CaseResult result = result(testCase, record, steps);
+    boolean executed =
+        record.outcome() == Outcome.RETURNED
+            && steps.stream()
+                .allMatch(s -> s.verdict() == Verdict.PASS || s.verdict() == Verdict.FAIL);
+    if (!executed) {
+      return result;
+    }
+    CaseResult judged =
+        whole.withPostConditions(
+            result,
+            () -> {
+              Variables variables = whole.inputs(testCase, "");
+              variables.put(SequenceSpec.STEPS, (Object) maps.of(testCase, record));
+              variables.put(Variables.CALLS, (Object) whole.calls(result.calls()));
+              return variables.map();
+            });
+    return trajectories.judge(judged, whole.inputs(testCase, "").map(), signals);
+  }
+
+  private List<StepResult> steps(TestCase testCase, CaseRecord record) {
+    List<StepResult> results = new ArrayList<>();
+    Optional<Map<String, Object>> state = Optional.of(states.initial());
+    boolean failed = false;
+    for (int i = 0; i < testCase.steps().size(); i++) {
+      TestStep step = testCase.steps().get(i);
+      if (i >= record.steps().size()) {
+        results.add(withoutRecord(testCase, record, i, failed));
+      } else {
+        StepRecord ended = record.steps().get(i);
+        results.add(judge(testCase, step, i, ended, state, failed));
+        state = after(state, testCase, step, ended.record());
+      }
+      failed |= results.get(i).verdict() != Verdict.PASS;
+    }
+    return results;
+  }
+
+  /** A component that ends its process is an error of the step that runs; the rest does not run. */
+  private static StepResult withoutRecord(
+      TestCase testCase, CaseRecord record, int index, boolean failed) {
+    TestStep step = testCase.steps().get(index);
+    int first = record.steps().size();
+    if (record.outcome() == Outcome.ERROR && index == first) {
+      return missing(step, Verdict.ERROR, failed, record.message());
+    }
+    int last = record.outcome() == Outcome.ERROR ? first : Math.max(0, first - 1);
+    return missing(
+        step,
+        Verdict.DONT,
+        failed,
+        record.outcome() == Outcome.NOT_CALLED
+            ? record.message()
+            : "not executed: the sequence ended at "
+                + StepResult.label(last + 1, testCase.steps().get(last).name()));
+  }
+
+  private static StepResult missing(
+      TestStep step, Verdict verdict, boolean failed, String message) {
+    return new StepResult(
+        step.name(),
+        verdict,
+        failed,
+        step.values(),
+        expected(step),
+        List.of(),
+        null,
+        null,
+        message);
+  }
+
+  private static List<NamedValue> expected(TestStep step) {
+    return step.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList();
+  }
+
+  private StepResult judge(
+      TestCase testCase,
+      TestStep step,
+      int index,
+      StepRecord ended,
+      Optional<Map<String, Object>> state,
+      boolean failed) {
+    CallVerdicts call = calls.get(step.name());
+    double at = ended.atNanos() / 1e9;
+    if (call == null) {
+      return new StepResult(
+          step.name(),
+          ofEvent(ended.record().outcome()),
+          failed,
+          List.of(),
+          List.of(),
+          List.of(),
+          at,
+          null,
+          ended.record().message());
+    }
+    Map<String, Object> surroundings = new HashMap<>(state.orElse(Map.of()));
+    surroundings.put(SequenceSpec.STEP, (long) index + 1);
+    CaseResult result = call.judge(ofStep(testCase, step), ended.record(), surroundings).result();
+    return new StepResult(
+        step.name(),
+        result.verdict(),
+        failed,
+        step.values(),
+        result.expected(),
+        result.actual(),
+        at,
+        result.time(),
+        result.message());
+  }
+
+  private static Verdict ofEvent(Outcome outcome) {
+    return switch (outcome) {
+      case RETURNED -> Verdict.PASS;
+      case NOT_CALLED -> Verdict.DONT;
+      case THREW, ERROR -> Verdict.ERROR;
+    };
+  }
+
+  /** A step as a case of its call's own model. */
+  private static TestCase ofStep(TestCase testCase, TestStep step) {
+    return new TestCase(testCase.no(), step.valid(), step.values(), step.expected());
+  }
+
+  /** The state is updated only by a step that ended without an error. */
+  private Optional<Map<String, Object>> after(
+      Optional<Map<String, Object>> before, TestCase testCase, TestStep step, CaseRecord ended) {
+    if (before.isEmpty() || ended.outcome() != Outcome.RETURNED) {
+      return before;
+    }
+    CallVerdicts call = calls.get(step.name());
+    Map<String, Object> inputs =
+        call == null ? Map.of() : call.inputs(ofStep(testCase, step), "").map();
+    return states.after(before.get(), step.name(), inputs);
+  }
+
+  private static CaseResult result(TestCase testCase, CaseRecord record, List<StepResult> steps) {
+    Verdict verdict = Verdict.PASS;
+    String message = "";
+    for (int i = 0; i < steps.size() && verdict == Verdict.PASS; i++) {
+      StepResult step = steps.get(i);
+      if (step.verdict() != Verdict.PASS) {
+        verdict = step.verdict();
+        message = StepResult.label(i + 1, step.name()) + ": " + step.message();
+      }
+    }
+    if (verdict == Verdict.PASS && record.outcome() != Outcome.RETURNED) {
+      verdict = record.outcome() == Outcome.NOT_CALLED ? Verdict.DONT : Verdict.ERROR;
+      message = record.message();
+    }
+    return new CaseResult(
+            testCase.no(),
+            verdict,
+            testCase.values(),
+            List.of(),
+            List.of(),
+            calls(record),
+            time(record),
+            message)
+        .withSteps(steps);
+  }
+
+  /** The calls of required interfaces in all steps. */
+  private static StubCalls calls(CaseRecord record) {
+    List<StubCalls.Call> recorded = new ArrayList<>(record.calls().recorded());
+    long leftOut = record.calls().leftOut();
+    for (StepRecord step : record.steps()) {
+      recorded.addAll(step.record().calls().recorded());
+      leftOut += step.record().calls().leftOut();
+    }
+    return new StubCalls(recorded, leftOut);
+  }
+
+  /** The time of all calls. */
+  private static CaseResult.@Nullable ProcessingTime time(CaseRecord record) {
+    double total = 0;
+    double hardware = 0;
+    double stub = 0;
+    boolean cold = false;
+    boolean any = false;
+    for (StepRecord step : record.steps()) {
+      CaseResult.ProcessingTime time = step.record().time();
+      if (time != null) {
+        any = true;
+        total += time.total();
+        hardware += time.hardware();
+        stub += time.stub();
+        cold |= time.cold();
+      }
+    }
+    return any ? new CaseResult.ProcessingTime(total, hardware, stub, cold) : null;
+  }
+}
