@@ -101,7 +101,7 @@ public final class ExplainCommand implements Callable<Integer> {
     FileTree files = UserFiles.folder(arguments.folder());
     Activity activity = Activity.read(files);
     Sitaf.print(activity.warnings(), err);
-    List<TestModel> models = arguments.modelsOf(activity);
+    List<TestModel> models = arguments.modelsOfSingleCalls(activity, "explain");
     if (cases != null && models.size() > 1) {
       throw InvalidInputException.of(
           "--cases",

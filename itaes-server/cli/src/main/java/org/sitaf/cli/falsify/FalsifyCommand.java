@@ -134,7 +134,7 @@ public final class FalsifyCommand implements Callable<Integer> {
   /** The only model with the condition. */
   private TestModel model(Activity activity) {
     List<TestModel> all =
-        arguments.modelsOf(activity).stream()
+        arguments.modelsOfSingleCalls(activity, "falsify").stream()
             .filter(m -> !m.trajectoryConditions().isEmpty())
             .toList();
     List<TestModel> fitting =

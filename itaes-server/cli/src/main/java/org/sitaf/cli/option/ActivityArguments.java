@@ -54,4 +54,25 @@ public final class ActivityArguments {
                             + " has "
                             + String.join(", ", all.stream().map(TestModel::name).toList()))));
   }
+
+  /**
+   * The models for a command that changes the inputs of single calls.
+   *
+   * @param command such as {@code explain}
+   * @throws InvalidInputException as {@link #modelsOf}, and if a model has sequences of calls
+   */
+  public List<TestModel> modelsOfSingleCalls(Activity activity, String command) {
+    List<TestModel> models = modelsOf(activity);
+    for (TestModel each : models) {
+      if (each.sequence() != null) {
+        throw InvalidInputException.of(
+            each.source(),
+            "./sitaf "
+                + command
+                + " does not support models with a sequence_spec; select another model by --model,"
+                + " or execute this one by ./sitaf run");
+      }
+    }
+    return models;
+  }
 }
