@@ -64,6 +64,11 @@ public final class CampaignCommand implements Callable<Integer> {
       description = "Maximum number of cases with faults (default: ${DEFAULT-VALUE}).")
   private int maxCases = 200;
 
+  @Option(
+      names = "--random",
+      description = "Random single faults, values and times instead, to compare with.")
+  private boolean random;
+
   @Option(names = "--json", paramLabel = "FILE", description = "Also writes the result as JSON.")
   private @Nullable Path json;
 
@@ -113,8 +118,8 @@ public final class CampaignCommand implements Callable<Integer> {
       CampaignRuns runs = new CampaignRuns(builds, activity, model, suite, err);
       bases = bases(runs.healthy(chosen(suite)), model);
       double seconds = bases.stream().mapToDouble(Healthy::seconds).min().orElse(0);
-      List<CampaignCase> cases =
-          new FaultCampaign(world, bases.size(), seconds, seed.value()).cases(maxCases);
+      FaultCampaign campaign = new FaultCampaign(world, bases.size(), seconds, seed.value());
+      List<CampaignCase> cases = random ? campaign.random(maxCases) : campaign.cases(maxCases);
       result =
           new CampaignResult(runs.faulty(cases, bases, new Classification(model.outputs(), world)));
     }

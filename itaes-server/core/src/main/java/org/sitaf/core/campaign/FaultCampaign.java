@@ -79,6 +79,44 @@ public final class FaultCampaign {
     return cases;
   }
 
+  /** As many single faults with random values and times, to compare a campaign with. */
+  public List<CampaignCase> random(int count) {
+    Random random = new Random(seed);
+    List<FaultName> names = names();
+    List<CampaignCase> cases = new ArrayList<>();
+    for (int no = 1; no <= count; no++) {
+      FaultName name = names.get(random.nextInt(names.size()));
+      double begin = rounded(random.nextDouble() * seconds);
+      double length = rounded(random.nextDouble() * seconds);
+      cases.add(
+          new CampaignCase(
+              no,
+              random.nextInt(bases),
+              List.of(
+                  new InjectedFault(
+                      name,
+                      randomValue(name.kind(), random),
+                      begin,
+                      length > 0 ? length : Double.POSITIVE_INFINITY))));
+    }
+    return cases;
+  }
+
+  private static double randomValue(FaultKind kind, Random random) {
+    double share = random.nextDouble();
+    return rounded(
+        switch (kind) {
+          case OFFSET -> 2 * share - 1;
+          case SCALE -> 3 * share;
+          case NOISE, INTERMITTENT, DELAY -> share;
+          default -> 1;
+        });
+  }
+
+  private static double rounded(double value) {
+    return new BigDecimal(value).round(DIGITS).doubleValue();
+  }
+
   private List<FaultName> names() {
     List<FaultName> names = new ArrayList<>();
     for (Device device : world.devices()) {
@@ -112,7 +150,7 @@ public final class FaultCampaign {
   }
 
   private InjectedFault transientFault(FaultName name, double value) {
-    double quarter = new BigDecimal(QUARTER * seconds).round(DIGITS).doubleValue();
+    double quarter = rounded(QUARTER * seconds);
     return new InjectedFault(name, value, quarter, quarter);
   }
 

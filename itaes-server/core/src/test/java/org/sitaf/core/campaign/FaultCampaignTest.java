@@ -87,6 +87,18 @@ class FaultCampaignTest {
   }
 
   @Test
+  void randomFaultsAreSingleAndFitTheirDevices() {
+    List<CampaignCase> cases = new FaultCampaign(WORLD, 2, 4, 7).random(300);
+    assertThat(cases).hasSize(300).allMatch(c -> c.faults().size() == 1);
+    for (CampaignCase campaignCase : cases) {
+      InjectedFault fault = campaignCase.faults().get(0);
+      assertThat(DeviceFaults.problem(fault.name(), WORLD)).isEmpty();
+      assertThat(DeviceFaults.problem(fault.name(), fault.value())).isEmpty();
+    }
+    assertThat(new FaultCampaign(WORLD, 2, 4, 7).random(300)).isEqualTo(cases);
+  }
+
+  @Test
   void theBehaviourFollowsFromOutputsCommandsAndConditions() {
     Observed healthy = observed(Verdict.PASS, "1.0", 0.2, 0.2, 0);
     assertThat(behaviour(healthy, healthy)).isEqualTo(Behaviour.UNCHANGED);
