@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
@@ -93,7 +94,8 @@ public record Activity(
   public List<Diagnostic> verify(TestModel model) {
     List<Diagnostic> found = new ArrayList<>(TestCaseGenerator.verifyConditions(model));
     found.addAll(
-        ModelAgainstActivity.verify(model, provided, required, world, outputPorts, profile));
+        ModelAgainstActivity.verify(
+            model, provided, required, world, outputPorts, profile, messageSignals()));
     return found;
   }
 
@@ -151,6 +153,23 @@ public record Activity(
     List<InterfaceDescription> recorded = new ArrayList<>(required);
     recorded.add(ros.messages());
     return recorded;
+  }
+
+  /** The numbers in messages that trajectory conditions can use; none without a ROS 2 node. */
+  public List<String> messageSignals() {
+    return ros == null ? List.of() : MessageSignals.of(ros.messages());
+  }
+
+  /**
+   * The interface whose calls are the messages of a ROS 2 node.
+   *
+   * @throws IllegalStateException without a ROS 2 node
+   */
+  public InterfaceDescription recordedMessages() {
+    if (ros == null) {
+      throw new IllegalStateException("the component is no ROS 2 node");
+    }
+    return ros.messages();
   }
 
   /** The output data port of an observed output. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.description.InterfaceDescription;
@@ -86,7 +87,14 @@ final class ActivityReader {
       for (TestModel model : models) {
         diagnostics.addAll(TestCaseGenerator.verifyConditions(model));
         diagnostics.addAll(
-            ModelAgainstActivity.verify(model, provided, required, world, outputPorts, profile));
+            ModelAgainstActivity.verify(
+                model,
+                provided,
+                required,
+                world,
+                outputPorts,
+                profile,
+                ros == null ? List.of() : MessageSignals.of(ros.messages())));
       }
     }
     diagnostics.throwIfErrors();

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.ros.RosElements;
@@ -50,6 +51,7 @@ final class ModelAgainstActivity {
   private final List<Port.Data> outputPorts;
   private final ActivityProfile profile;
   private final @Nullable RosNode ros;
+  private final List<String> messageSignals;
   private final Diagnostics diagnostics = new Diagnostics();
 
   private ModelAgainstActivity(
@@ -57,8 +59,10 @@ final class ModelAgainstActivity {
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
-      ActivityProfile profile) {
+      ActivityProfile profile,
+      List<String> messageSignals) {
     this.profile = profile;
+    this.messageSignals = messageSignals;
     this.ros = profile.ros();
     this.model = model;
     this.required = required;
@@ -66,21 +70,29 @@ final class ModelAgainstActivity {
     this.outputPorts = outputPorts;
   }
 
+  /**
+   * Verifies a model.
+   *
+   * @param messageSignals numbers in the messages of a node, for trajectory conditions
+   */
   static List<Diagnostic> verify(
       TestModel model,
       List<InterfaceDescription> provided,
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
-      ActivityProfile profile) {
-    var verification = new ModelAgainstActivity(model, required, world, outputPorts, profile);
+      ActivityProfile profile,
+      List<String> messageSignals) {
+    var verification =
+        new ModelAgainstActivity(model, required, world, outputPorts, profile, messageSignals);
     verification.timing();
     if (model.sequence() != null) {
       verification.initialInputs();
       verification.trajectories();
       verification.diagnostics.addAll(
           new SequenceAgainstActivity(model, model.sequence(), world)
-              .verify(c -> verify(c, provided, required, world, outputPorts, profile)));
+              .verify(
+                  c -> verify(c, provided, required, world, outputPorts, profile, messageSignals)));
       return verification.diagnostics.all();
     }
     try {
@@ -386,7 +398,7 @@ final class ModelAgainstActivity {
     } else if (world != null) {
       TrajectoryConditions.compile(
           model,
-          WorldSignals.of(world),
+          Stream.concat(WorldSignals.of(world).stream(), messageSignals.stream()).toList(),
           profile.limits().caseSimulation().toNanos() / 1e9,
           diagnostics);
     }

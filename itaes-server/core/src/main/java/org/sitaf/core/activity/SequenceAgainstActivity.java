@@ -9,6 +9,8 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldDescription.WorldParameter;
+import org.sitaf.core.description.fault.DeviceFaults;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.NearestName;
@@ -135,6 +137,11 @@ final class SequenceAgainstActivity {
               + parts.get(1)
               + "'"
               + NearestName.hint(parts.get(1), devices));
+    } else {
+      FaultName.find(event.set())
+          .flatMap(fault -> DeviceFaults.problem(fault, in))
+          .ifPresent(
+              problem -> error(event.line(), where, "sets " + event.set() + ", which " + problem));
     }
   }
 

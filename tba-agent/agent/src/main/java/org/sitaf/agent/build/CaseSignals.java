@@ -3,8 +3,9 @@ package org.sitaf.agent.build;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.SortedSet;
+import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.OutputSink;
 import org.sitaf.agent.simulation.BuildSimulator;
@@ -23,6 +24,7 @@ import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.MessageTraces;
 import org.sitaf.core.verdict.ResultAssembler;
 import org.sitaf.core.verdict.TraceSource.MissingTraceException;
 
@@ -37,6 +39,7 @@ final class CaseSignals {
   private final boolean reported;
   private final BuildListener listener;
   private final @Nullable KeptSignals kept;
+  private final @Nullable MessageTraces messages;
 
   /**
    * @param settings whether all signals are reported to the listener, and which are kept
@@ -45,7 +48,9 @@ final class CaseSignals {
     this.application = application;
     this.listener = listener;
     WorldDescription world = application.activity().world();
-    List<String> all = world == null ? List.of() : WorldSignals.of(world);
+    List<String> sampled = world == null ? List.of() : WorldSignals.of(world);
+    List<String> sent = application.activity().messageSignals();
+    List<String> all = Stream.concat(sampled.stream(), sent.stream()).toList();
     boolean sequence = application.model().sequence() != null;
     Diagnostics diagnostics = new Diagnostics();
     Limits limits = application.activity().profile().limits();
@@ -68,11 +73,14 @@ final class CaseSignals {
                 world,
                 conditions,
                 listener);
-    SortedSet<String> sampled = new TreeSet<>(this.reported ? all : conditions.signals());
-    if (sequence) {
-      sampled.remove(SequenceSpec.STEP);
-    }
-    List<String> names = List.copyOf(sampled);
+    Set<String> wanted = new TreeSet<>(this.reported ? all : conditions.signals());
+    this.messages =
+        sent.isEmpty()
+            ? null
+            : new MessageTraces(application.activity().recordedMessages(), wanted);
+    // The simulator knows nothing of messages and steps.
+    wanted.retainAll(sampled);
+    List<String> names = List.copyOf(wanted);
     // The time alone gives the number of samples.
     this.order = new SignalOrder(names.isEmpty() ? List.of("t") : names, conditions.needSettling());
   }
@@ -144,6 +152,12 @@ final class CaseSignals {
     String problem = "the simulator has no signals of this case";
     try {
       trace = simulator.takeSignals(record.no());
+      if (messages != null && trace.isPresent()) {
+        trace = Optional.of(messages.extended(trace.get(), record.calls()));
+      }
+    } catch (MissingTraceException e) {
+      trace = Optional.empty();
+      problem = String.valueOf(e.getMessage());
     } catch (SimulatorException e) {
       problem = String.valueOf(e.getMessage());
     }
