@@ -34,6 +34,7 @@ import picocli.CommandLine.ExitCode;
       CompareCommand.class,
       ExplainCommand.class,
       ReplayCommand.class,
+      ScoreCommand.class,
       DemoCommand.class,
       UpCommand.class
     })

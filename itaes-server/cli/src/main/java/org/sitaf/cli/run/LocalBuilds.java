@@ -117,6 +117,21 @@ public final class LocalBuilds implements AutoCloseable {
   }
 
   /**
+   * Runs a test application without coverage and hands over what is recorded of each case.
+   *
+   * @param signals whether the observer receives the signals of the cases
+   */
+  BuildOutcome record(
+      Activity activity, TestModel model, TestSuite suite, boolean signals, CaseObserver observer) {
+    settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
+    BuildSettings plain = settings.withCoverage(false);
+    return start(
+        InterfaceTestApplicationGenerator.generate(activity, model, suite),
+        signals ? plain.withSignals() : plain,
+        observer);
+  }
+
+  /**
    * The result of a build.
    *
    * @throws InvalidInputException if the build failed; contains the reason

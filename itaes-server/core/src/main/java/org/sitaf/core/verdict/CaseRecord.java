@@ -102,6 +102,13 @@ public record CaseRecord(
     return actual.size() == 1 ? List.of(new NamedValue("", actual.get(0).literal())) : actual;
   }
 
+  /** A copy for the case of another number. */
+  public CaseRecord numbered(int other) {
+    return other == no
+        ? this
+        : new CaseRecord(other, outcome, thrown, actual, calls, time, repeated, message, notes);
+  }
+
   /** A copy without processing times. */
   public CaseRecord withoutTime() {
     return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message, notes, steps);

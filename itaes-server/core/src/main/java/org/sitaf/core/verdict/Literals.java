@@ -35,7 +35,7 @@ public final class Literals {
     return text.length() >= 2 && text.charAt(0) == open && text.charAt(text.length() - 1) == close;
   }
 
-  static boolean isBoolean(String literal) {
+  public static boolean isBoolean(String literal) {
     return literal.equals("true") || literal.equals("false");
   }
 
@@ -49,7 +49,7 @@ public final class Literals {
   }
 
   /** A finite number in decimal. */
-  static boolean isNumber(String literal) {
+  public static boolean isNumber(String literal) {
     String text = literal.strip();
     return text.length() <= MAX_NUMBER && NUMBER.matcher(text).matches();
   }
@@ -90,6 +90,18 @@ public final class Literals {
 
   /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, strings without their quotes. */
   public static Map<String, String> members(String literal) {
+    Map<String, String> members = writtenMembers(literal);
+    members.replaceAll((name, value) -> unquoted(value));
+    return members;
+  }
+
+  /** The elements of {@code [a, b]} as they are written. */
+  public static List<String> writtenElements(String literal) {
+    return parts(literal, '[', ']', "a sequence such as [1, 2]");
+  }
+
+  /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, as they are written. */
+  public static Map<String, String> writtenMembers(String literal) {
     Map<String, String> members = new LinkedHashMap<>();
     for (String part : parts(literal, '{', '}', "a struct such as {x: 1.0, y: 2.0}")) {
       int colon = part.indexOf(':');
@@ -97,7 +109,7 @@ public final class Literals {
         throw new IllegalArgumentException(
             "'" + shortened(literal) + "' has a member without a name");
       }
-      members.put(part.substring(0, colon).strip(), unquoted(part.substring(colon + 1).strip()));
+      members.put(part.substring(0, colon).strip(), part.substring(colon + 1).strip());
     }
     return members;
   }

@@ -1,0 +1,97 @@
+package org.sitaf.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.score.SpecificationScore;
+import org.sitaf.core.suite.GeneratedSuite;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Scores the specifications of an activity. */
+@Command(
+    name = "score",
+    description = {
+      "Puts faults between test driver and component, and counts those that the test cases notice:"
+          + " wrong units, signs, offsets, swapped or ignored parameters, values of the case before,"
+          + " exceptions, calls of required interfaces. Prints what to add to the specification.",
+      "Exit code 0: every fault with an effect is noticed; 1: at least one is not; 2: the cases"
+          + " could not be executed."
+    },
+    mixinStandardHelpOptions = true)
+final class ScoreCommand implements Callable<Integer> {
+  private static final int NOT_NOTICED = 1;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Mixin private final ActivityArguments arguments = new ActivityArguments();
+
+  @Option(
+      names = "--budget",
+      paramLabel = "N",
+      description =
+          "Maximum number of further cases of each model (default: 2000, fewer if the cases take"
+              + " simulation time).")
+  private @Nullable Integer budget;
+
+  @Option(names = "--json", paramLabel = "FILE", description = "Also writes the score as JSON.")
+  private @Nullable Path json;
+
+  @Option(names = "--all", description = "Prints all faults that are not noticed.")
+  private boolean all;
+
+  @Mixin private final GenerationArguments generation = new GenerationArguments();
+
+  @Mixin private final SandboxOption sandbox = new SandboxOption();
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    if (budget != null && budget < 0) {
+      throw InvalidInputException.of("--budget", "must be at least 0, not " + budget);
+    }
+    if (json != null) {
+      UserFiles.requireWritableFile("--json", json);
+    }
+    Activity activity = Installation.read(UserFiles.folder(arguments.folder()));
+    Sitaf.print(activity.warnings(), err);
+    List<TestModel> models = arguments.modelsOf(activity);
+    SuiteCache suites = new SuiteCache(Installation.current().state().resolve("suites"));
+    Map<String, SpecificationScore> scores = new LinkedHashMap<>();
+    try (LocalBuilds builds =
+        new LocalBuilds(
+            Installation.current(),
+            sandbox.open(),
+            false,
+            new LocalBuilds.OutputFolders(null, null, false),
+            activity.profile().world() == null ? 0 : models.size())) {
+      err.println("sandbox: " + builds.sandbox());
+      err.flush();
+      for (TestModel model : models) {
+        GeneratedSuite generated = suites.generate(model, generation.options());
+        Sitaf.print(generated.notes(), err);
+        SpecificationScore score =
+            new ScoredModel(builds, activity, model, generated.suite(), err).score(budget);
+        scores.put(model.name(), score);
+        ScoreText.print(model.name(), score, all, out);
+      }
+    }
+    if (json != null) {
+      ScoreJson.write(scores, json);
+    }
+    return scores.values().stream().allMatch(s -> s.survivors().isEmpty()) ? 0 : NOT_NOTICED;
+  }
+}

@@ -1,0 +1,73 @@
+package org.sitaf.cli;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.sitaf.core.score.SpecificationScore;
+import org.sitaf.core.score.SpecificationScore.Survivor;
+
+/** Prints a score, and the faults that are not noticed. */
+final class ScoreText {
+  private static final int MAX_SURVIVORS = 20;
+  private static final double PERCENT = 100;
+
+  private ScoreText() {}
+
+  /**
+   * Prints the score of a model.
+   *
+   * @param all whether all survivors are printed
+   */
+  static void print(String model, SpecificationScore score, boolean all, PrintWriter out) {
+    out.printf(
+        Locale.ROOT,
+        "%s: score %.1f %%: %d of %d faults with an effect are noticed; %d change no recorded"
+            + " value%n",
+        model,
+        PERCENT * score.share(),
+        score.noticed(),
+        score.injected() - score.equivalent(),
+        score.equivalent());
+    score.warnings().forEach(warning -> out.println("  warning: " + Printable.line(warning)));
+    score
+        .byOutput()
+        .forEach(
+            (output, count) ->
+                out.printf(
+                    Locale.ROOT,
+                    "  %s: %d of %d noticed%n",
+                    Printable.line(output),
+                    count.noticed(),
+                    count.changed()));
+    int left = all ? Integer.MAX_VALUE : MAX_SURVIVORS;
+    if (!score.survivors().isEmpty()) {
+      out.println("not noticed:");
+    }
+    for (Map.Entry<String, List<String>> each : bySuggestion(score.survivors()).entrySet()) {
+      if (left <= 0) {
+        break;
+      }
+      for (String fault : each.getValue().subList(0, Math.min(left, each.getValue().size()))) {
+        out.println("  " + Printable.line(fault));
+      }
+      left -= each.getValue().size();
+      out.println("    " + Printable.line(each.getKey()));
+    }
+    if (left < 0 || !all && score.survivors().size() > MAX_SURVIVORS) {
+      out.println("... " + score.survivors().size() + " are not noticed; --all prints all of them");
+    }
+    out.flush();
+  }
+
+  /** Faults with the same suggestion are printed together. */
+  private static Map<String, List<String>> bySuggestion(List<Survivor> survivors) {
+    Map<String, List<String>> groups = new LinkedHashMap<>();
+    for (Survivor survivor : survivors) {
+      groups.computeIfAbsent(survivor.suggestion(), s -> new ArrayList<>()).add(survivor.fault());
+    }
+    return groups;
+  }
+}

@@ -1,0 +1,159 @@
+package org.sitaf.cli;
+
+import java.io.PrintWriter;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.description.WorldSignals;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.Target;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.score.FaultExecutions;
+import org.sitaf.core.score.FaultJudge;
+import org.sitaf.core.score.SpecificationScore;
+import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.trajectory.TrajectoryConditions;
+import org.sitaf.core.verdict.CaseRecord;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
+
+/** Scores one model: one test application executes the suite and all further cases. */
+final class ScoredModel {
+  private static final int MAX_BUDGET = 2_000;
+
+  /** Limit for the simulation time of all further cases. */
+  private static final double MAX_SIMULATED_SECONDS = 600;
+
+  private static final int MIN_BUDGET = 50;
+
+  private final LocalBuilds builds;
+  private final Activity activity;
+  private final TestModel model;
+  private final TestSuite suite;
+  private final PrintWriter err;
+
+  ScoredModel(
+      LocalBuilds builds, Activity activity, TestModel model, TestSuite suite, PrintWriter err) {
+    this.builds = builds;
+    this.activity = activity;
+    this.model = model;
+    this.suite = suite;
+    this.err = err;
+  }
+
+  /**
+   * The score.
+   *
+   * @param budget maximum number of further cases; null for the default
+   */
+  SpecificationScore score(@Nullable Integer budget) throws InterruptedException {
+    TrajectoryConditions conditions = conditions();
+    FaultExecutions executions =
+        new FaultExecutions(
+            model,
+            suite,
+            activity.world(),
+            activity.recorded(),
+            budget == null ? defaultBudget() : budget);
+    err.println(
+        model.name()
+            + ": executing "
+            + suite.cases().size()
+            + " cases and "
+            + executions.further()
+            + " further ones");
+    err.flush();
+    Map<Integer, CaseRecord> records = new ConcurrentHashMap<>();
+    Map<Integer, Trace> traces = new ConcurrentHashMap<>();
+    TestResult result =
+        builds.completed(
+            activity,
+            builds.record(
+                activity.withoutTiming(),
+                model.withoutTiming().withoutRelations(),
+                executions.cases(),
+                !conditions.isEmpty(),
+                new LocalBuilds.CaseObserver() {
+                  @Override
+                  public void signals(int no, Trace trace) {
+                    traces.put(no, trace);
+                  }
+
+                  @Override
+                  public void caseRecorded(CaseRecord record) {
+                    records.put(record.no(), record);
+                  }
+
+                  @Override
+                  public void caseFinished(CaseResult finished) {
+                    // The outcome holds all results.
+                  }
+                }));
+    requireResults(result);
+    return new FaultJudge(
+            executions, expected(result), activity.recorded(), conditions, records, traces)
+        .score();
+  }
+
+  private TrajectoryConditions conditions() {
+    Diagnostics diagnostics = new Diagnostics();
+    TrajectoryConditions conditions =
+        TrajectoryConditions.compile(
+            model,
+            activity.world() == null ? List.of() : WorldSignals.of(activity.world()),
+            activity.profile().limits().caseSimulation().toNanos() / 1e9,
+            diagnostics);
+    diagnostics.throwIfErrors();
+    return conditions;
+  }
+
+  private int defaultBudget() {
+    Target target = model.target();
+    double seconds = (target.settle().toNanos() + target.runFor().toNanos()) / 1e9;
+    return seconds <= MAX_SIMULATED_SECONDS / MAX_BUDGET
+        ? MAX_BUDGET
+        : Math.max(MIN_BUDGET, (int) (MAX_SIMULATED_SECONDS / seconds));
+  }
+
+  private void requireResults(TestResult result) {
+    Map<Integer, CaseResult> byNumber = new HashMap<>();
+    result.cases().forEach(c -> byNumber.put(c.no(), c));
+    boolean executed =
+        suite.cases().stream()
+            .map(c -> byNumber.get(c.no()))
+            .anyMatch(c -> c != null && c.verdict() != Verdict.DONT);
+    if (!executed) {
+      throw InvalidInputException.of(model.name(), "no case was executed");
+    }
+    if (result.isSuspect()) {
+      throw InvalidInputException.of(
+          model.name(), "the records cannot be trusted: " + String.join("; ", result.suspicions()));
+    }
+  }
+
+  /** The suite with the expected values of the result, which a reference may have computed. */
+  private TestSuite expected(TestResult result) {
+    Map<Integer, CaseResult> byNumber = new HashMap<>();
+    result.cases().forEach(c -> byNumber.put(c.no(), c));
+    return suite.withCases(
+        suite.cases().stream()
+            .map(
+                c ->
+                    new TestCase(
+                        c.no(),
+                        c.valid(),
+                        c.values(),
+                        byNumber.get(c.no()).expected().stream()
+                            .map(e -> new ExpectedValue(e.output(), e.literal()))
+                            .toList()))
+            .toList());
+  }
+}

@@ -1,0 +1,87 @@
+package org.sitaf.core.score;
+
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.function.UnaryOperator;
+import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.verdict.Literals;
+
+/** Faults of integers: off by one, signs, scales, widths and byte orders, lost values. */
+final class WholeChanges {
+  private static final int MAX_LENGTH = 40;
+  private static final BigInteger BYTE = BigInteger.valueOf(0xFF);
+
+  private final BigInteger minimum;
+  private final BigInteger maximum;
+  private final List<ValueChange> changes = new ArrayList<>();
+
+  private WholeChanges(ScalarType type) {
+    minimum = Objects.requireNonNull(type.minimum());
+    maximum = Objects.requireNonNull(type.maximum());
+  }
+
+  /** All faults of an integer type. */
+  static List<ValueChange> all(ScalarType type) {
+    WholeChanges all = new WholeChanges(type);
+    all.few();
+    all.further();
+    return all.changes;
+  }
+
+  /** A few faults of different kinds, for values that consist of many numbers. */
+  static List<ValueChange> few(ScalarType type) {
+    WholeChanges some = new WholeChanges(type);
+    some.few();
+    return some.changes;
+  }
+
+  private void few() {
+    add("one too large", x -> x.add(BigInteger.ONE));
+    add("one too small", x -> x.subtract(BigInteger.ONE));
+    add("sign inverted", BigInteger::negate);
+    add("always 0", x -> BigInteger.ZERO);
+  }
+
+  private void further() {
+    add("two too large", x -> x.add(BigInteger.TWO));
+    add("two too small", x -> x.subtract(BigInteger.TWO));
+    add("sign lost", BigInteger::abs);
+    for (int factor : new int[] {2, 10, 100, 1000}) {
+      add(factor + " times the value", x -> x.multiply(BigInteger.valueOf(factor)));
+      add("divided by " + factor, x -> x.divide(BigInteger.valueOf(factor)));
+    }
+    add("always 1", x -> BigInteger.ONE);
+    add("always -1", x -> BigInteger.ONE.negate());
+    add("the largest number instead of the value", x -> maximum);
+    add("the smallest number instead of the value", x -> minimum);
+    add("lowest bit inverted", x -> x.flipBit(0));
+    add("only the lowest byte", x -> x.and(BYTE));
+    add("the lowest byte read with a sign", x -> BigInteger.valueOf(x.byteValue()));
+    add("negative values cut off", x -> x.max(BigInteger.ZERO));
+    add(
+        "bytes of the lowest 16 bits swapped",
+        x -> x.and(BYTE).shiftLeft(8).or(x.shiftRight(8).and(BYTE)));
+  }
+
+  private void add(String text, UnaryOperator<BigInteger> change) {
+    changes.add(new ValueChange(text, literal -> changed(literal, change)));
+  }
+
+  private String changed(String literal, UnaryOperator<BigInteger> change) {
+    if (literal.length() > MAX_LENGTH || !Literals.isNumber(literal)) {
+      return literal;
+    }
+    BigInteger number;
+    try {
+      number = new BigDecimal(literal.strip()).toBigIntegerExact();
+    } catch (ArithmeticException e) {
+      return literal;
+    }
+    BigInteger result = change.apply(number);
+    boolean fits = result.compareTo(minimum) >= 0 && result.compareTo(maximum) <= 0;
+    return fits && !result.equals(number) ? result.toString() : literal;
+  }
+}
