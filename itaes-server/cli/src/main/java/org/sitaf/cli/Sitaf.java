@@ -9,6 +9,7 @@ import org.sitaf.cli.explain.ExplainCommand;
 import org.sitaf.cli.explain.ReplayCommand;
 import org.sitaf.cli.falsify.FalsifyCommand;
 import org.sitaf.cli.run.RunCommand;
+import org.sitaf.cli.score.ScoreCommand;
 import org.sitaf.cli.system.DemoCommand;
 import org.sitaf.cli.system.UpCommand;
 import org.sitaf.cli.terminal.Printable;

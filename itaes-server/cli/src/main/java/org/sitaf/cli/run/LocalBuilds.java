@@ -121,7 +121,7 @@ public final class LocalBuilds implements AutoCloseable {
    *
    * @param signals whether the observer receives the signals of the cases
    */
-  BuildOutcome record(
+  public BuildOutcome record(
       Activity activity, TestModel model, TestSuite suite, boolean signals, CaseObserver observer) {
     settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
     BuildSettings plain = settings.withCoverage(false);

@@ -12,6 +12,8 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.score.FaultyRecords.Recorded;
 import org.sitaf.core.score.SpecificationScore.Count;
 import org.sitaf.core.score.SpecificationScore.Survivor;
+import org.sitaf.core.score.fault.Fault;
+import org.sitaf.core.score.fault.Row;
 import org.sitaf.core.suite.SecondRun;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.score.fault.Fault;
+import org.sitaf.core.score.fault.Row;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseRecord.Outcome;

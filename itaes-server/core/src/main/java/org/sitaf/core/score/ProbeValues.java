@@ -87,7 +87,8 @@ final class ProbeValues {
         bounds.add(constant.value());
       }
     }
-    if (bounds.isEmpty()) {
+    boolean listed = bounds.isEmpty();
+    if (listed) {
       used.stream().filter(Literals::isNumber).map(BigDecimal::new).forEach(bounds::add);
     }
     Set<BigDecimal> numbers = new LinkedHashSet<>();
@@ -103,6 +104,12 @@ final class ProbeValues {
       numbers.add(bound.add(step));
     }
     numbers.add(min.add(max).divide(TWO));
+    if (listed) {
+      // Nothing says which values are valid, so the usual suspects are tried.
+      numbers.addAll(List.of(BigDecimal.ZERO, BigDecimal.ONE, BigDecimal.ONE.negate()));
+      numbers.add(max.multiply(TWO));
+      numbers.add(max.negate());
+    }
     return numbers;
   }
 

@@ -13,6 +13,7 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.score.fault.Condition;
 import org.sitaf.core.suite.GivenCases;
 import org.sitaf.core.suite.InputValidity;
 import org.sitaf.core.suite.TestCase;
@@ -183,6 +184,7 @@ final class Probes {
           pairs.add(
               new Condition(
                   left.text() + " and " + right.text().substring("where ".length()),
+                  false,
                   left.holds().and(right.holds())));
         }
       }
@@ -193,6 +195,7 @@ final class Probes {
   private Condition is(int input, String value) {
     return new Condition(
         "where " + model.inputs().get(input).name() + " is " + value,
+        true,
         row -> row.get(input).equals(value));
   }
 
@@ -200,9 +203,9 @@ final class Probes {
     String first = "where " + model.inputs().get(one).name();
     String second = model.inputs().get(other).name();
     return List.of(
-        new Condition(first + " < " + second, row -> compare(row, one, other) < 0),
-        new Condition(first + " == " + second, row -> compare(row, one, other) == 0),
-        new Condition(first + " > " + second, row -> compare(row, one, other) > 0));
+        new Condition(first + " < " + second, true, row -> compare(row, one, other) < 0),
+        new Condition(first + " == " + second, true, row -> compare(row, one, other) == 0),
+        new Condition(first + " > " + second, true, row -> compare(row, one, other) > 0));
   }
 
   private static double compare(List<String> row, int one, int other) {

@@ -12,6 +12,7 @@ import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Tolerance;
 import org.sitaf.core.model.Value;
+import org.sitaf.core.score.fault.Fault;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;

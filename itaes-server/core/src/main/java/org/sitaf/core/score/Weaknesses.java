@@ -75,8 +75,14 @@ final class Weaknesses {
     }
   }
 
+  private static boolean expects(OutputElement output, CaseResult result) {
+    return result.expected().stream()
+        .filter(e -> e.output().isEmpty() || e.output().equals(output.name()))
+        .anyMatch(e -> !e.literal().strip().equals(Value.ANY));
+  }
+
   private void ofOutput(OutputElement output) {
-    if (output.expected() == null
+    if (results.values().stream().noneMatch(r -> expects(output, r))
         && model.postConditions().stream().noneMatch(c -> c.expression().contains("actual"))
         && model.relations().isEmpty()) {
       found.add("nothing is expected of " + output.name());

@@ -1,4 +1,4 @@
-package org.sitaf.core.score;
+package org.sitaf.core.score.fault;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +12,7 @@ import org.sitaf.core.verdict.CaseRecord.Outcome;
 import org.sitaf.core.verdict.NamedValue;
 
 /** The faults of outputs and exceptions. */
-final class OutputFaults {
+public final class OutputFaults {
   /** Name of the exception that faults throw. */
   static final String INJECTED = "InjectedFault";
 
@@ -31,7 +31,7 @@ final class OutputFaults {
    *
    * @param conditions under which a clearly wrong value is tried, too
    */
-  static List<Fault> of(TestModel model, List<Condition> conditions) {
+  public static List<Fault> of(TestModel model, List<Condition> conditions) {
     OutputFaults all = new OutputFaults(model);
     for (OutputElement output : model.outputs()) {
       if (!output.type().isVoid()) {
@@ -109,6 +109,16 @@ final class OutputFaults {
                       output.name(),
                       ValueChanges.wrong(value(record, output.name()), output.type()))
                   : record);
+      if (condition.single()) {
+        String zero = ValueChanges.zero(output.type());
+        add(
+            output,
+            zero + " " + condition.text(),
+            (row, record, before) ->
+                condition.holds().test(row.values())
+                    ? replaced(record, output.name(), zero)
+                    : record);
+      }
     }
     faults.add(
         new Fault.OfRecord(

@@ -1,4 +1,4 @@
-package org.sitaf.cli;
+package org.sitaf.cli.score;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -9,6 +9,14 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.cli.Sitaf;
+import org.sitaf.cli.file.Installation;
+import org.sitaf.cli.file.SuiteCache;
+import org.sitaf.cli.file.UserFiles;
+import org.sitaf.cli.option.ActivityArguments;
+import org.sitaf.cli.option.GenerationArguments;
+import org.sitaf.cli.option.SandboxOption;
+import org.sitaf.cli.run.LocalBuilds;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
@@ -25,13 +33,14 @@ import picocli.CommandLine.Spec;
     name = "score",
     description = {
       "Puts faults between test driver and component, and counts those that the test cases notice:"
-          + " wrong units, signs, offsets, swapped or ignored parameters, values of the case before,"
-          + " exceptions, calls of required interfaces. Prints what to add to the specification.",
+          + " wrong units, signs, offsets, swapped or ignored parameters, values of the case"
+          + " before, exceptions, calls of required interfaces. Prints what to add to the"
+          + " specification.",
       "Exit code 0: every fault with an effect is noticed; 1: at least one is not; 2: the cases"
           + " could not be executed."
     },
     mixinStandardHelpOptions = true)
-final class ScoreCommand implements Callable<Integer> {
+public final class ScoreCommand implements Callable<Integer> {
   private static final int NOT_NOTICED = 1;
 
   @Spec private @Nullable CommandSpec spec;
@@ -42,7 +51,7 @@ final class ScoreCommand implements Callable<Integer> {
       names = "--budget",
       paramLabel = "N",
       description =
-          "Maximum number of further cases of each model (default: 2000, fewer if the cases take"
+          "Maximum number of further cases of each model (default: 1000, fewer if the cases take"
               + " simulation time).")
   private @Nullable Integer budget;
 

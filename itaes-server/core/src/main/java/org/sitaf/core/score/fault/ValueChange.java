@@ -1,4 +1,4 @@
-package org.sitaf.core.score;
+package org.sitaf.core.score.fault;
 
 import java.util.Objects;
 import java.util.function.UnaryOperator;

@@ -1,4 +1,4 @@
-package org.sitaf.cli;
+package org.sitaf.cli.score;
 
 import java.io.IOException;
 import java.nio.file.Files;

@@ -1,4 +1,4 @@
-package org.sitaf.core.score;
+package org.sitaf.core.score.fault;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
  * @param values literals in the order of the model's inputs
  * @param before the values of the case before in the suite; null if there is none
  */
-record Row(List<String> values, @Nullable List<String> before) {
-  Row {
+public record Row(List<String> values, @Nullable List<String> before) {
+  public Row {
     values = List.copyOf(values);
     before = before == null ? null : List.copyOf(before);
   }

@@ -1,4 +1,4 @@
-package org.sitaf.core.score;
+package org.sitaf.core.score.fault;
 
 import java.util.List;
 import java.util.Objects;
@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.CaseRecord;
 
 /** A fault between driver and component. */
-sealed interface Fault {
+public sealed interface Fault {
 
   /** The output, input or required method that it changes. */
   String where();

@@ -1,4 +1,4 @@
-package org.sitaf.cli;
+package org.sitaf.cli.score;
 
 import java.io.PrintWriter;
 import java.util.HashMap;
@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.cli.run.LocalBuilds;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -27,10 +28,10 @@ import org.sitaf.core.verdict.Verdict;
 
 /** Scores one model: one test application executes the suite and all further cases. */
 final class ScoredModel {
-  private static final int MAX_BUDGET = 2_000;
+  private static final int MAX_BUDGET = 1_000;
 
   /** Limit for the simulation time of all further cases. */
-  private static final double MAX_SIMULATED_SECONDS = 600;
+  private static final double MAX_SIMULATED_SECONDS = 60;
 
   private static final int MIN_BUDGET = 50;
 
@@ -55,6 +56,10 @@ final class ScoredModel {
    * @param budget maximum number of further cases; null for the default
    */
   SpecificationScore score(@Nullable Integer budget) throws InterruptedException {
+    if (model.sequence() != null) {
+      throw InvalidInputException.of(
+          model.name(), "is a model of sequences, which score does not support; use --model");
+    }
     TrajectoryConditions conditions = conditions();
     FaultExecutions executions =
         new FaultExecutions(

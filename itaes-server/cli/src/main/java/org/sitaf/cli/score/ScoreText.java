@@ -1,4 +1,4 @@
-package org.sitaf.cli;
+package org.sitaf.cli.score;
 
 import java.io.PrintWriter;
 import java.util.ArrayList;
@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.score.SpecificationScore;
 import org.sitaf.core.score.SpecificationScore.Survivor;
 

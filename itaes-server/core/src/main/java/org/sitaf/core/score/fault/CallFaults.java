@@ -1,4 +1,4 @@
-package org.sitaf.core.score;
+package org.sitaf.core.score.fault;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -17,7 +17,7 @@ import org.sitaf.core.verdict.StubCalls;
 import org.sitaf.core.verdict.StubCalls.Call;
 
 /** The faults of calls to required interfaces: left out, repeated, reordered, wrong arguments. */
-final class CallFaults {
+public final class CallFaults {
   private final Map<String, Map<String, DataType>> types = new LinkedHashMap<>();
   private final List<Fault> faults = new ArrayList<>();
 
@@ -35,7 +35,7 @@ final class CallFaults {
   }
 
   /** All faults of the calls to the given interfaces. */
-  static List<Fault> of(List<InterfaceDescription> required) {
+  public static List<Fault> of(List<InterfaceDescription> required) {
     CallFaults all = new CallFaults(required);
     all.types.forEach(all::ofMethod);
     if (all.types.size() > 1) {

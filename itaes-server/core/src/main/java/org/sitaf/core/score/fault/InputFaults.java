@@ -1,4 +1,4 @@
-package org.sitaf.core.score;
+package org.sitaf.core.score.fault;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +15,7 @@ import org.sitaf.core.model.Value;
 import org.sitaf.core.verdict.Literals;
 
 /** The faults of parameters, of what the simulation shows to sensors, and of answers of stubs. */
-final class InputFaults {
+public final class InputFaults {
   private static final double LATE_SECONDS = 1;
 
   private final TestModel model;
@@ -32,7 +32,8 @@ final class InputFaults {
    *
    * @param simplest the value of each input that a component uses if it ignores the input
    */
-  static List<Fault> of(TestModel model, @Nullable WorldDescription world, List<String> simplest) {
+  public static List<Fault> of(
+      TestModel model, @Nullable WorldDescription world, List<String> simplest) {
     InputFaults all = new InputFaults(model, world);
     for (int i = 0; i < model.inputs().size(); i++) {
       all.ofInput(i, simplest.get(i));
