@@ -69,11 +69,12 @@ final class Mutations {
     if (isNumber(text) && !text.contains("(")) {
       String real = text.contains(".") ? ".0" : "";
       long number = (long) Double.parseDouble(text);
-      return List.of((number + 1) + real, (number - 1) + real, "-" + (number + 2) + real);
+      return List.of(
+          (number + 1) + real, (number - 1) + real, "-" + (number + 2) + real, (number + 10) + real);
     }
     if (text.endsWith(";")) {
       return List.of("");
     }
-    return List.of("0", "-1.0", "1", "(" + text + ") + 1", "-(" + text + ")", "(" + text + ") * 2", "Double.NaN");
+    return List.of("0", "-1.0", "1", "(" + text + ") + 1", "-(" + text + ")", "(" + text + ") * 2", "Double.NaN", "(" + text + ") - 0.25", "2.5", "10");
   }
 }

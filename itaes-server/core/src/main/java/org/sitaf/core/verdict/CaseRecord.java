@@ -106,7 +106,8 @@ public record CaseRecord(
   public CaseRecord numbered(int other) {
     return other == no
         ? this
-        : new CaseRecord(other, outcome, thrown, actual, calls, time, repeated, message, notes, steps);
+        : new CaseRecord(
+            other, outcome, thrown, actual, calls, time, repeated, message, notes, steps);
   }
 
   /** A copy without processing times. */
