@@ -77,7 +77,7 @@ public final class ScoreCommand implements Callable<Integer> {
     }
     Activity activity = Installation.read(UserFiles.folder(arguments.folder()));
     Sitaf.print(activity.warnings(), err);
-    List<TestModel> models = arguments.modelsOf(activity);
+    List<TestModel> models = arguments.modelsOfSingleCalls(activity, "score");
     SuiteCache suites = new SuiteCache(Installation.current().state().resolve("suites"));
     Map<String, SpecificationScore> scores = new LinkedHashMap<>();
     try (LocalBuilds builds =

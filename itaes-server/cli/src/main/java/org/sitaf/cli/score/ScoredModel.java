@@ -56,10 +56,6 @@ final class ScoredModel {
    * @param budget maximum number of further cases; null for the default
    */
   SpecificationScore score(@Nullable Integer budget) throws InterruptedException {
-    if (model.sequence() != null) {
-      throw InvalidInputException.of(
-          model.name(), "is a model of sequences, which score does not support; use --model");
-    }
     TrajectoryConditions conditions = conditions();
     FaultExecutions executions =
         new FaultExecutions(
