@@ -24,6 +24,6 @@ def test_an_unknown_model_is_an_error(sitaf):
 
 
 def test_weaker_specifications_are_ordered_as_by_mutations_of_the_source(sitaf):
-    run = sitaf("bench", "score", "12", "--no-time", "--short")
+    run = sitaf("bench", "score", "12", "--no-time")
     assert "Kendall's tau of 11 specifications, 12 mutations" in run.stdout, run.stdout + run.stderr
     assert run.returncode == 0, run.stdout
