@@ -133,6 +133,19 @@ public record TestModel(
     return copy.model();
   }
 
+  /** A copy that only has inputs and what restricts them. */
+  public TestModel withoutOutputs() {
+    Copy copy = new Copy();
+    copy.outputs = List.of();
+    copy.postConditions = List.of();
+    copy.trajectoryConditions = List.of();
+    copy.relations = List.of();
+    copy.sequence = null;
+    copy.surroundings = Map.of();
+    copy.keptCases = List.of();
+    return copy.model();
+  }
+
   /** A copy with other mixed strengths. */
   public TestModel withMixedStrengths(List<MixedStrength> replaced) {
     Copy copy = new Copy();

@@ -7,13 +7,13 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.value.TestValue;
 
 /** The variables of a case before the call: the inputs, and which of them are valid. */
-final class CaseVariables {
+public final class CaseVariables {
   private CaseVariables() {}
 
   /**
    * @param row one value for each input of the model
    */
-  static Variables of(TestModel model, List<TestValue> row) {
+  public static Variables of(TestModel model, List<TestValue> row) {
     Variables variables = new Variables();
     for (int i = 0; i < row.size(); i++) {
       variables.putValidity(model.inputs().get(i).name(), row.get(i).valid());

@@ -29,7 +29,7 @@ import org.sitaf.core.model.TestModel;
  * @param post post-conditions in the order of the model
  * @param relations between two runs
  */
-record Conditions(
+public record Conditions(
     List<Expression> pre,
     Map<String, Expression> expected,
     List<Expression> post,
@@ -37,14 +37,14 @@ record Conditions(
   /** Maximum length of all expressions of a model; takes a few seconds to compile. */
   private static final int MAX_CHARACTERS = 500_000;
 
-  Conditions {
+  public Conditions {
     pre = List.copyOf(pre);
     expected = Map.copyOf(expected);
     post = List.copyOf(post);
   }
 
   /** Compiles all expressions. Invalid expressions are reported and omitted. */
-  static Conditions compile(TestModel model, Diagnostics diagnostics) {
+  public static Conditions compile(TestModel model, Diagnostics diagnostics) {
     long characters =
         Stream.of(
                 model.preConditions().stream().map(Condition::expression),

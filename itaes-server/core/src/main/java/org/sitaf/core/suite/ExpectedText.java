@@ -10,7 +10,7 @@ import org.sitaf.core.expression.type.Type;
 import org.sitaf.core.model.Value;
 
 /** The text of an expected value: an expression, or an outcome without quotes. */
-final class ExpectedText {
+public final class ExpectedText {
   private static final Pattern OUTCOME =
       Pattern.compile(
           Pattern.quote(Value.ERROR_PREFIX) + "\\w+|" + Value.ANY_ERROR + "|" + Value.ANY);
@@ -18,13 +18,13 @@ final class ExpectedText {
   private ExpectedText() {}
 
   /** The expression: an outcome such as {@code !error:NoEcho} becomes a string. */
-  static String expression(@Nullable String expected) {
+  public static String expression(@Nullable String expected) {
     String stripped = expected == null ? "" : expected.strip();
     return OUTCOME.matcher(stripped).matches() ? '"' + stripped + '"' : stripped;
   }
 
   /** Why the expression cannot give a value of the output's type; empty if it can. */
-  static Optional<String> problem(Expression expression, DataType output) {
+  public static Optional<String> problem(Expression expression, DataType output) {
     Type given = expression.type();
     if (output.isVoid()) {
       boolean fits = given.equals(Type.NULL) || given.equals(Type.OUTCOME) || given.isOpen();

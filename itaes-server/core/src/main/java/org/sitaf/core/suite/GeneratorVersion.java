@@ -7,11 +7,11 @@ import java.util.Objects;
 import java.util.Properties;
 
 /** The generator name in suites. */
-final class GeneratorVersion {
+public final class GeneratorVersion {
   private GeneratorVersion() {}
 
   /** Name and version, such as {@code sitaf 1.0.0}. */
-  static String current() {
+  public static String current() {
     Properties properties = new Properties();
     try (InputStream in = GeneratorVersion.class.getResourceAsStream("version.properties")) {
       properties.load(Objects.requireNonNull(in));

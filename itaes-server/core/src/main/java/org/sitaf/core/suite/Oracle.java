@@ -15,12 +15,6 @@ import org.sitaf.core.value.TestValue;
 
 /** Computes the expected values of test cases from the expressions of the model. */
 final class Oracle {
-  /**
-   * Prefix of an expected value that could not be computed. The test driver reports such a case as
-   * ERROR.
-   */
-  private static final String UNEVALUATED = "!unevaluated:";
-
   /** Maximum number of listed cases without an expected value; more are only counted. */
   private static final int MAX_WARNINGS = 1_000;
 
@@ -83,14 +77,14 @@ final class Oracle {
         diagnostics.throwIfErrors();
       }
       if (++unevaluated > MAX_WARNINGS) {
-        return UNEVALUATED + " " + e.getMessage();
+        return ExpectedValue.UNEVALUATED + " " + e.getMessage();
       }
       diagnostics.warning(
           model.source(),
           output.expectedLine(),
           "test_element " + output.name() + "/expected",
           "cannot be evaluated in case " + no + " (" + inputs(values) + "): " + e.getMessage());
-      return UNEVALUATED + " " + e.getMessage();
+      return ExpectedValue.UNEVALUATED + " " + e.getMessage();
     }
   }
 

@@ -8,7 +8,7 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.model.Value;
 
 /** Converts results of expressions to the literals of documents. */
-final class ResultLiteral {
+public final class ResultLiteral {
   /** The expected value of a method that returns nothing. */
   private static final String NOTHING = "null";
 
@@ -18,7 +18,7 @@ final class ResultLiteral {
    * Converts a result to a literal of the output's type: {@code -1} for a double becomes {@code
    * -1.0}.
    */
-  static String of(Object result, DataType type) {
+  public static String of(Object result, DataType type) {
     if (result instanceof String text && Value.isOutcome(text)) {
       return text;
     }

@@ -19,6 +19,8 @@ import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
+import org.sitaf.core.suite.sequence.SequenceGenerator;
+import org.sitaf.core.suite.sequence.SequenceVerification;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.value.TestData;
 import org.sitaf.core.value.TestDataGenerator;
@@ -57,13 +59,7 @@ public final class TestCaseGenerator {
   public static GeneratedSuite generate(
       TestModel model, GenerationOptions options, Progress progress) {
     if (model.sequence() != null) {
-      throw new InvalidInputException(
-          List.of(
-              Diagnostic.error(
-                  model.source(),
-                  model.sequence().line(),
-                  "sequence_spec",
-                  "sequences cannot be generated yet")));
+      return SequenceGenerator.generate(model, options, progress);
     }
     Strength strength = options.strength() == null ? model.strength() : options.strength();
     InvalidValues invalidValues =
@@ -141,6 +137,9 @@ public final class TestCaseGenerator {
   public static List<Diagnostic> verifyConditions(TestModel model) {
     Diagnostics diagnostics = new Diagnostics();
     Conditions.compile(model, diagnostics);
+    if (model.sequence() != null) {
+      SequenceVerification.verify(model, diagnostics);
+    }
     return diagnostics.all();
   }
 

@@ -1,0 +1,85 @@
+package org.sitaf.core.sequence;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.BitSet;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sitaf.core.combine.Effort;
+import org.sitaf.core.combine.Progress;
+import org.sitaf.core.sequence.array.TupleSpace;
+
+class CoveringWordsTest {
+  private static List<int[]> words(int letters, int strength, int length, boolean repeat) {
+    TupleSpace space = new TupleSpace(letters, strength);
+    CoveringWords words = new CoveringWords(Machine.free(letters), space, length, repeat);
+    return words.cover(words.allowed(), Effort.DEFAULT, 1, Progress.NONE);
+  }
+
+  /** The subsequences of all words, by enumeration of all choices of places. */
+  private static Set<List<Integer>> subsequences(List<int[]> words, int strength) {
+    Set<List<Integer>> found = new HashSet<>();
+    for (int[] word : words) {
+      for (long places = 0; places < 1L << word.length; places++) {
+        if (Long.bitCount(places) == strength) {
+          List<Integer> letters = new java.util.ArrayList<>();
+          for (int p = 0; p < word.length; p++) {
+            if ((places >> p & 1) == 1) {
+              letters.add(word[p]);
+            }
+          }
+          found.add(letters);
+        }
+      }
+    }
+    return found;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"5,3,7", "6,3,8", "8,3,9", "10,3,10", "6,4,27", "5,2,2", "4,1,1"})
+  void distinctEventsNeedFewPermutations(int letters, int strength, int most) {
+    List<int[]> words = words(letters, strength, letters, false);
+
+    assertThat(words).hasSizeLessThanOrEqualTo(most);
+    long tuples = 1;
+    for (int i = 0; i < strength; i++) {
+      tuples *= letters - i;
+    }
+    assertThat(subsequences(words, strength)).hasSize((int) tuples);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"4,2,4,5", "6,2,6,5", "8,2,8,4", "4,3,6,7", "5,3,9,4", "6,3,12,3"})
+  void stepsThatRepeatNeedFewWords(int letters, int strength, int length, int most) {
+    List<int[]> words = words(letters, strength, length, true);
+
+    assertThat(words).hasSizeLessThanOrEqualTo(most);
+    assertThat(words).allMatch(w -> w.length <= length);
+    assertThat(subsequences(words, strength)).hasSize((int) Math.pow(letters, strength));
+  }
+
+  @org.junit.jupiter.api.Test
+  void wordsOfFewerPlacesThanLettersHoldDistinctLetters() {
+    List<int[]> words = words(6, 2, 4, false);
+
+    assertThat(words).allMatch(w -> java.util.Arrays.stream(w).distinct().count() == w.length);
+    assertThat(subsequences(words, 2)).hasSize(30);
+  }
+
+  @org.junit.jupiter.api.Test
+  void aStepThatIsPossibleOnceIsNotRepeated() {
+    // Step 0 leads from state 0 to state 1, where only step 1 is allowed.
+    Machine machine = new Machine(2, new int[][][] {{{1}, {}}, {{}, {1}}});
+    CoveringWords words = new CoveringWords(machine, new TupleSpace(2, 2), 3, true);
+
+    BitSet allowed = words.allowed();
+
+    assertThat(allowed.stream()).containsExactly(1, 3);
+    assertThat(words.cover(allowed, Effort.DEFAULT, 1, Progress.NONE))
+        .singleElement()
+        .isEqualTo(new int[] {0, 1, 1});
+  }
+}
