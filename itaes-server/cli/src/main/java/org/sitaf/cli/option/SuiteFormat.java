@@ -2,9 +2,12 @@ package org.sitaf.cli.option;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.List;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.StepParameters;
 import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.SuiteCsv;
 import org.sitaf.core.suite.document.TestSuiteXml;
@@ -37,14 +40,17 @@ public enum SuiteFormat {
         json.writeStringProperty("test_model_name", suite.modelName());
         json.writeNumberProperty("seed", suite.generation().seed());
         json.writeArrayPropertyStart("parameters");
-        for (CaseParameter parameter : suite.parameters()) {
-          json.writeStartObject();
-          json.writeStringProperty("name", parameter.name());
-          json.writeStringProperty("type", parameter.kind().name());
-          json.writeStringProperty("real_type", parameter.realType());
+        suite.parameters().forEach(parameter -> write(json, parameter));
+        json.writeEndArray();
+        if (suite.isOfSequences()) {
+          json.writeObjectPropertyStart("step_parameters");
+          for (StepParameters step : suite.stepParameters()) {
+            json.writeArrayPropertyStart(step.name());
+            step.parameters().forEach(parameter -> write(json, parameter));
+            json.writeEndArray();
+          }
           json.writeEndObject();
         }
-        json.writeEndArray();
         json.writeArrayPropertyStart("cases");
         for (TestCase testCase : suite.cases()) {
           json.writeStartObject();
@@ -53,12 +59,21 @@ public enum SuiteFormat {
           json.writeArrayPropertyStart("values");
           testCase.values().forEach(json::writeString);
           json.writeEndArray();
-          json.writeObjectPropertyStart("expected");
-          for (ExpectedValue expected : testCase.expected()) {
-            json.writeStringProperty(
-                expected.output().isEmpty() ? "return" : expected.output(), expected.literal());
+          write(json, testCase.expected());
+          if (suite.isOfSequences()) {
+            json.writeArrayPropertyStart("steps");
+            for (TestStep step : testCase.steps()) {
+              json.writeStartObject();
+              json.writeStringProperty("name", step.name());
+              json.writeStringProperty("class", step.valid() ? "valid" : "invalid");
+              json.writeArrayPropertyStart("values");
+              step.values().forEach(json::writeString);
+              json.writeEndArray();
+              write(json, step.expected());
+              json.writeEndObject();
+            }
+            json.writeEndArray();
           }
-          json.writeEndObject();
           json.writeEndObject();
         }
         json.writeEndArray();
@@ -67,6 +82,23 @@ public enum SuiteFormat {
       }
     }
   };
+
+  private static void write(JsonGenerator json, CaseParameter parameter) {
+    json.writeStartObject();
+    json.writeStringProperty("name", parameter.name());
+    json.writeStringProperty("type", parameter.kind().name());
+    json.writeStringProperty("real_type", parameter.realType());
+    json.writeEndObject();
+  }
+
+  private static void write(JsonGenerator json, List<ExpectedValue> values) {
+    json.writeObjectPropertyStart("expected");
+    for (ExpectedValue expected : values) {
+      json.writeStringProperty(
+          expected.output().isEmpty() ? "return" : expected.output(), expected.literal());
+    }
+    json.writeEndObject();
+  }
 
   /** Writes all cases; equal suites give equal bytes. */
   public abstract void write(TestSuite suite, OutputStream out) throws IOException;

@@ -105,44 +105,17 @@ final class SequenceAgainstActivity {
   }
 
   private void fault(SequenceEvent event, WorldDescription in, String where) {
-    Set<String> kinds =
-        Set.of(
-            "stuck",
-            "dropout",
-            "offset",
-            "scale",
-            "noise",
-            "delay",
-            "intermittent",
-            "out_of_range",
-            "ignored",
-            "saturated");
-    List<String> parts = List.of(event.set().split("\\.", -1));
-    Set<String> devices =
-        in.devices().stream().map(WorldDescription.Device::name).collect(Collectors.toSet());
-    if (parts.size() < 3 || parts.stream().noneMatch(kinds::contains)) {
-      error(
-          event.line(),
-          where,
-          "sets '"
-              + event.set()
-              + "', which is no fault; write fault.DEVICE.KIND with one of the kinds "
-              + kinds.stream().sorted().collect(Collectors.joining(", ")));
-    } else if (!devices.contains(parts.get(1))) {
-      error(
-          event.line(),
-          where,
-          in.path()
-              + " has no device '"
-              + parts.get(1)
-              + "'"
-              + NearestName.hint(parts.get(1), devices));
-    } else {
-      FaultName.find(event.set())
-          .flatMap(fault -> DeviceFaults.problem(fault, in))
-          .ifPresent(
-              problem -> error(event.line(), where, "sets " + event.set() + ", which " + problem));
+    FaultName name;
+    try {
+      name = FaultName.parse(event.set());
+    } catch (IllegalArgumentException e) {
+      error(event.line(), where, "set " + e.getMessage() + ", not '" + event.set() + "'");
+      return;
     }
+    double to = event.to() instanceof Value.Real real ? real.number() : Double.NaN;
+    DeviceFaults.problem(name, in)
+        .or(() -> DeviceFaults.problem(name, to))
+        .ifPresent(problem -> error(event.line(), where, problem));
   }
 
   private void state(StateVariable state) {

@@ -234,8 +234,7 @@ final class WordBuilder {
       }
       BitSet used = (BitSet) word.used.clone();
       used.set(kind);
-      int[] left =
-          rest[0] == kind ? java.util.Arrays.copyOfRange(rest, 1, rest.length) : rest;
+      int[] left = rest[0] == kind ? java.util.Arrays.copyOfRange(rest, 1, rest.length) : rest;
       if (plan.shortest(after, used, left, most - 1).isPresent()) {
         best = kind;
         largest = gain;

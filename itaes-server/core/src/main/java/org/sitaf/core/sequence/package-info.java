@@ -1,4 +1,7 @@
-/** Sequences of steps over abstract states as integers: which tuples are possible, and words that cover them. */
+/**
+ * Sequences of steps over abstract states as integers: which tuples are possible, and words that
+ * cover them.
+ */
 @NullMarked
 package org.sitaf.core.sequence;
 

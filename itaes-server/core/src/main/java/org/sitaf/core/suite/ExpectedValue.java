@@ -9,9 +9,7 @@ import java.util.Objects;
  * @param literal as in {@link org.sitaf.core.model.Value#literal()}
  */
 public record ExpectedValue(String output, String literal) {
-  /**
-   * Prefix of an expected value that could not be computed. Such a case is reported as ERROR.
-   */
+  /** Prefix of an expected value that could not be computed. Such a case is reported as ERROR. */
   public static final String UNEVALUATED = "!unevaluated:";
 
   public ExpectedValue {

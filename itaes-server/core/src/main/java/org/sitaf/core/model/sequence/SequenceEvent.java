@@ -3,6 +3,7 @@ package org.sitaf.core.model.sequence;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.model.Condition;
 import org.sitaf.core.model.Value;
 
@@ -20,9 +21,6 @@ public record SequenceEvent(
     List<StateUpdate> updates,
     int line)
     implements SequenceStep {
-  /** Begins the name of a fault: {@code fault.DEVICE.KIND}. */
-  public static final String FAULT_PREFIX = "fault.";
-
   public SequenceEvent {
     Objects.requireNonNull(name);
     Objects.requireNonNull(set);
@@ -32,6 +30,6 @@ public record SequenceEvent(
 
   /** Whether the event sets a fault of a device instead of a parameter of the world. */
   public boolean isFault() {
-    return set.startsWith(FAULT_PREFIX);
+    return FaultName.isFault(set);
   }
 }

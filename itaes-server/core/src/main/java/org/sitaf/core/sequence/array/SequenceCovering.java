@@ -49,7 +49,8 @@ public final class SequenceCovering {
     Optional<List<int[]>> found = Optional.empty();
     while (found.isEmpty()) {
       // Without a bound on the operations, an array that is large enough is always found.
-      found = permutations(count, budget.isExhausted() ? new Budget(DEFAULT_OPERATIONS) : attempt(0.3));
+      found =
+          permutations(count, budget.isExhausted() ? new Budget(DEFAULT_OPERATIONS) : attempt(0.3));
       if (found.isEmpty()) {
         failed = count;
         count += 1 + count / 2;

@@ -35,7 +35,8 @@ record Symmetry(List<int[]> images, boolean reversal) {
   List<int[]> orbit(int[] word) {
     List<int[]> orbit = new ArrayList<>();
     for (int[] image : images) {
-      int[] mapped = Arrays.stream(word).map(letter -> letter < 0 ? letter : image[letter]).toArray();
+      int[] mapped =
+          Arrays.stream(word).map(letter -> letter < 0 ? letter : image[letter]).toArray();
       orbit.add(mapped);
       if (reversal) {
         int[] reversed = new int[mapped.length];

@@ -95,7 +95,8 @@ final class WordSearch {
     int chosen = random.nextInt(wrong);
     for (int i = 0; i < strength; i++) {
       if (word[places[i]] != tuple[i] && chosen-- == 0) {
-        return (long) (word.length + 4 * orbit.size()) * strength + replace(word, places[i], tuple[i], temperature);
+        return (long) (word.length + 4 * orbit.size()) * strength
+            + replace(word, places[i], tuple[i], temperature);
       }
     }
     return 1;

@@ -19,7 +19,8 @@ import org.sitaf.core.suite.TestSuite;
 
 /**
  * Reads and writes the cases of a suite as comma-separated values: a header {@code
- * no,class,PARAMETER...,expected OUTPUT...} and one line per case. See {@link CsvCells}.
+ * no,class,PARAMETER...,expected OUTPUT...} and one line per case; sequences have one line per step
+ * and are only written. See {@link CsvCells}.
  */
 public final class SuiteCsv {
   private static final String EXPECTED = "expected";
@@ -29,6 +30,11 @@ public final class SuiteCsv {
   /** Writes all cases. The same suite gives the same bytes. */
   public static void write(TestSuite suite, OutputStream out) throws IOException {
     Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
+    if (suite.isOfSequences()) {
+      SequenceCsv.write(suite, writer);
+      writer.flush();
+      return;
+    }
     List<String> outputs =
         suite.cases().stream()
             .flatMap(c -> c.expected().stream().map(ExpectedValue::output))
@@ -58,6 +64,11 @@ public final class SuiteCsv {
    */
   public static TestSuite read(InputStream csv, String file, TestSuite suite) throws IOException {
     Diagnostics diagnostics = new Diagnostics();
+    if (suite.isOfSequences()) {
+      diagnostics.error(
+          file, 0, "", "sequences cannot be read from CSV; use the XML document of the suite");
+      diagnostics.throwIfErrors();
+    }
     List<Line> lines = lines(new InputStreamReader(csv, StandardCharsets.UTF_8));
     List<String> start = new ArrayList<>(List.of("no", "class"));
     suite.parameters().stream().map(CaseParameter::name).forEach(start::add);

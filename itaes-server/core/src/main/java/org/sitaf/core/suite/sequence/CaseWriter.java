@@ -21,10 +21,7 @@ final class CaseWriter {
   private final Set<String> warned = new HashSet<>();
 
   CaseWriter(
-      TestModel model,
-      List<CompiledStep> steps,
-      StateVariables states,
-      Diagnostics diagnostics) {
+      TestModel model, List<CompiledStep> steps, StateVariables states, Diagnostics diagnostics) {
     this.model = model;
     this.steps = steps;
     this.states = states;
@@ -42,11 +39,7 @@ final class CaseWriter {
       int no = planned.number() > 0 ? planned.number() : next++;
       written.add(
           new TestCase(
-              no,
-              planned.isValid(),
-              planned.initial().literals(),
-              List.of(),
-              steps(no, planned)));
+              no, planned.isValid(), planned.initial().literals(), List.of(), steps(no, planned)));
     }
     return written;
   }

@@ -90,7 +90,8 @@ final class CompiledStep {
     for (Update update : updates) {
       try {
         literals.set(
-            update.state(), states.literal(update.state(), update.expression().evaluate(variables.map())));
+            update.state(),
+            states.literal(update.state(), update.expression().evaluate(variables.map())));
       } catch (EvaluationException | IllegalArgumentException e) {
         throw problem(
             update.source().line(),
@@ -155,8 +156,7 @@ final class CompiledStep {
   static boolean isError(List<ExpectedValue> expected) {
     return expected.stream()
         .anyMatch(
-            e ->
-                e.literal().startsWith(Value.ERROR_PREFIX) || e.literal().equals(Value.ANY_ERROR));
+            e -> e.literal().startsWith(Value.ERROR_PREFIX) || e.literal().equals(Value.ANY_ERROR));
   }
 
   /** The inputs on which the state afterwards depends. */
@@ -185,7 +185,8 @@ final class CompiledStep {
 
   /** Whether the state afterwards depends on the number of the step. */
   boolean dependsOnNumber() {
-    return !updates.isEmpty() && errorOutcomes().stream().anyMatch(e -> e.mentions(SequenceSpec.STEP));
+    return !updates.isEmpty()
+        && errorOutcomes().stream().anyMatch(e -> e.mentions(SequenceSpec.STEP));
   }
 
   /** The expected values that may be errors. */

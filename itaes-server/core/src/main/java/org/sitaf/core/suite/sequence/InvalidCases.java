@@ -66,12 +66,7 @@ final class InvalidCases {
 
   /** Adds the cases of the tuples that are possible and not done; returns those that are done. */
   private BitSet forbidden(
-      int call,
-      BitSet where,
-      int most,
-      TupleSpace tuples,
-      BitSet done,
-      List<PlannedCase> cases) {
+      int call, BitSet where, int most, TupleSpace tuples, BitSet done, List<PlannedCase> cases) {
     CoveringWords words = new CoveringWords(withForbidden(call, where), tuples, most, repeat);
     BitSet required = words.allowed();
     for (int t = required.nextSetBit(0); t >= 0; t = required.nextSetBit(t + 1)) {

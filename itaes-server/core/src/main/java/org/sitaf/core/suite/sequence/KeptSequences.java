@@ -90,8 +90,7 @@ final class KeptSequences {
     }
   }
 
-  private Optional<PlannedCase> plan(
-      int no, List<String> initial, List<TestStep> steps, int line) {
+  private Optional<PlannedCase> plan(int no, List<String> initial, List<TestStep> steps, int line) {
     PlannedCase planned = new PlannedCase();
     try {
       planned.setInitial(row(model, initial));
@@ -118,13 +117,18 @@ final class KeptSequences {
         }
         failed |= role != Role.VALID;
         planned.add(kind, row, role);
-        if (isAllowed && !CompiledStep.isError(compiled.expected(state, planned.steps().size(), row))) {
+        if (isAllowed
+            && !CompiledStep.isError(compiled.expected(state, planned.steps().size(), row))) {
           state = compiled.after(state, row);
         }
       }
-      if (steps.isEmpty() || steps.size() > java.util.Objects.requireNonNull(model.sequence()).length()) {
+      if (steps.isEmpty()
+          || steps.size() > java.util.Objects.requireNonNull(model.sequence()).length()) {
         throw new IllegalArgumentException(
-            "it has " + steps.size() + " steps, but length allows 1 to " + model.sequence().length());
+            "it has "
+                + steps.size()
+                + " steps, but length allows 1 to "
+                + model.sequence().length());
       }
       return Optional.of(planned);
     } catch (IllegalArgumentException | StepException e) {

@@ -92,13 +92,14 @@ final class SequenceCompiler {
     String where = where(step) + "/guard";
     Expression compiled =
         compile(new ExpressionCompiler(CaseScope.ofStates(model)), guard, where).orElse(null);
-    if (compiled != null
-        && !compiled.type().equals(Type.BOOLEAN)
-        && !compiled.type().isOpen()) {
+    if (compiled != null && !compiled.type().equals(Type.BOOLEAN) && !compiled.type().isOpen()) {
       error(
           guard.line(),
           where,
-          "'" + compiled.text() + "' must be true or false, but its type is " + compiled.type().name());
+          "'"
+              + compiled.text()
+              + "' must be true or false, but its type is "
+              + compiled.type().name());
       return null;
     }
     return compiled;

@@ -94,17 +94,14 @@ public final class SequenceGenerator {
         List.of(Diagnostic.error(model.source(), sequence.line(), "sequence_spec", message)));
   }
 
-  private List<PlannedCase> plan(
-      SequenceVerification.Explored explored, GenerationOptions ofRows) {
+  private List<PlannedCase> plan(SequenceVerification.Explored explored, GenerationOptions ofRows) {
     Machine machine = explored.space().machine();
     TupleSpace tuples = new TupleSpace(explored.steps().size(), sequence.order());
-    CoveringWords words =
-        new CoveringWords(machine, tuples, sequence.length(), sequence.repeat());
+    CoveringWords words = new CoveringWords(machine, tuples, sequence.length(), sequence.repeat());
     BitSet allowed = words.allowed();
     reportForbidden(tuples, allowed);
     RowAssignment assignment =
-        new RowAssignment(
-            explored.space(), explored.rows(), sequence.length(), sequence.repeat());
+        new RowAssignment(explored.space(), explored.rows(), sequence.length(), sequence.repeat());
     KeptSequences kept = new KeptSequences(model, options.earlier(), explored, diagnostics);
     List<PlannedCase> given = kept.cases();
     BitSet required = (BitSet) allowed.clone();
@@ -142,12 +139,15 @@ public final class SequenceGenerator {
   private void initialRows(
       List<PlannedCase> given, List<PlannedCase> cases, GenerationOptions ofRows) {
     StepRows rows = StepRows.of(model, Set.of(), ofRows, diagnostics);
-    Set<StepRow> started =
-        given.stream().map(PlannedCase::initial).collect(Collectors.toSet());
+    Set<StepRow> started = given.stream().map(PlannedCase::initial).collect(Collectors.toSet());
     List<StepRow> missing =
-        rows.valid().stream().filter(r -> model.inputs().isEmpty() || !started.contains(r)).toList();
+        rows.valid().stream()
+            .filter(r -> model.inputs().isEmpty() || !started.contains(r))
+            .toList();
     List<PlannedCase> sources = new ArrayList<>(cases.isEmpty() ? given : cases);
-    for (int i = 0; i < Math.max(cases.size(), model.inputs().isEmpty() ? 0 : missing.size()); i++) {
+    for (int i = 0;
+        i < Math.max(cases.size(), model.inputs().isEmpty() ? 0 : missing.size());
+        i++) {
       if (i >= cases.size()) {
         cases.add(sources.get(i % sources.size()).copy());
       }

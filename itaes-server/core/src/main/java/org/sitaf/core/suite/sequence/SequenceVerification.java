@@ -80,8 +80,7 @@ public final class SequenceVerification {
     }
     StateSpace space;
     try {
-      space =
-          new StateSpace(compiler.states().initial(), steps, rows, sequence.length());
+      space = new StateSpace(compiler.states().initial(), steps, rows, sequence.length());
     } catch (StepException e) {
       diagnostics.error(model.source(), e.line(), e.where(), String.valueOf(e.getMessage()));
       return null;
@@ -91,9 +90,7 @@ public final class SequenceVerification {
       return null;
     }
     reach(model, sequence, steps, space, diagnostics);
-    return diagnostics.hasErrors()
-        ? null
-        : new Explored(compiler.states(), steps, rows, space);
+    return diagnostics.hasErrors() ? null : new Explored(compiler.states(), steps, rows, space);
   }
 
   private static void reach(

@@ -62,7 +62,10 @@ record StepRows(List<StepRow> valid, List<StepRow> invalid, List<StepRow> choice
           new GenerationOptions(
               new Strength(1), options.invalidValues(), options.seed(), options.effort());
       choices.addAll(
-          rows(inputs, TestCaseGenerator.generate(all, single, Progress.NONE).suite().cases(), options.seed())
+          rows(
+                  inputs,
+                  TestCaseGenerator.generate(all, single, Progress.NONE).suite().cases(),
+                  options.seed())
               .stream()
               .filter(StepRow::isValid)
               .toList());
@@ -80,8 +83,7 @@ record StepRows(List<StepRow> valid, List<StepRow> invalid, List<StepRow> choice
         InputElement input = model.inputs().get(i);
         String literal = testCase.values().get(i);
         values.add(
-            new TestValue(
-                input.value(literal), testCase.valid() || validity.isValid(i, literal)));
+            new TestValue(input.value(literal), testCase.valid() || validity.isValid(i, literal)));
       }
       rows.add(new StepRow(values));
     }

@@ -163,7 +163,10 @@ class SequenceGeneratorTest {
 
   @Test
   void tuplesThatAreNotAllowedAreReported() {
-    String dead = MODEL.formatted("").replace("<call name=\"Disable\">", "<call name=\"Disable\"><guard>enabled</guard>");
+    String dead =
+        MODEL
+            .formatted("")
+            .replace("<call name=\"Disable\">", "<call name=\"Disable\"><guard>enabled</guard>");
 
     assertThat(generate(dead).notes())
         .anySatisfy(
@@ -215,7 +218,8 @@ class SequenceGeneratorTest {
     List<Diagnostic> notes = generate(xml).notes();
 
     assertThat(notes).anyMatch(d -> d.line() == 9 && d.message().contains("is never used"));
-    assertThat(notes).anyMatch(d -> d.line() == 9 && d.message().contains("reaches the value false"));
+    assertThat(notes)
+        .anyMatch(d -> d.line() == 9 && d.message().contains("reaches the value false"));
   }
 
   @Test
