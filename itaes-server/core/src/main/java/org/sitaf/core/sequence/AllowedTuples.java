@@ -17,34 +17,19 @@ final class AllowedTuples {
   private static final int NEVER = Integer.MAX_VALUE;
 
   private final Machine machine;
-  private final TupleSpace space;
   private final int length;
-  private final Map<Costs, Integer> known = new HashMap<>();
+  private final Map<List<Integer>, Integer> known = new HashMap<>();
   private final List<int[]> costs = new ArrayList<>();
   private final List<int[]> next = new ArrayList<>();
 
-  /** The least number of steps to each state. */
-  private record Costs(int[] steps) {
-    @Override
-    public boolean equals(Object other) {
-      return other instanceof Costs costs && Arrays.equals(steps, costs.steps);
-    }
-
-    @Override
-    public int hashCode() {
-      return Arrays.hashCode(steps);
-    }
-  }
-
-  private AllowedTuples(Machine machine, TupleSpace space, int length) {
+  private AllowedTuples(Machine machine, int length) {
     this.machine = machine;
-    this.space = space;
     this.length = length;
   }
 
   /** The allowed tuples if steps may repeat. */
   static BitSet of(Machine machine, TupleSpace space, int length) {
-    AllowedTuples search = new AllowedTuples(machine, space, length);
+    AllowedTuples search = new AllowedTuples(machine, length);
     int[] start = new int[machine.states()];
     Arrays.fill(start, NEVER);
     start[0] = 0;
@@ -103,11 +88,11 @@ final class AllowedTuples {
       }
     }
     return known.computeIfAbsent(
-        new Costs(closed),
+        Arrays.stream(closed).boxed().toList(),
         c -> {
           int[] unknown = new int[machine.kinds()];
           Arrays.fill(unknown, NEVER);
-          costs.add(c.steps());
+          costs.add(closed);
           next.add(unknown);
           return costs.size() - 1;
         });

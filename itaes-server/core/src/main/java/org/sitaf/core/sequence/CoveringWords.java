@@ -54,10 +54,7 @@ public final class CoveringWords {
     }
     boolean free = machine.isFree();
     for (int t = allowed.nextSetBit(0); t >= 0; t = allowed.nextSetBit(t + 1)) {
-      if (!space.isDistinct(t)
-          || !free
-              && plan.shortest(machine.initial(), new BitSet(), space.letters(t), length)
-                  .isEmpty()) {
+      if (!space.isDistinct(t) || (!free && shortest(space.letters(t)) == null)) {
         allowed.clear(t);
       }
     }

@@ -221,7 +221,7 @@ final class WordBuilder {
       return best;
     }
     for (int kind = 0; kind < machine.kinds(); kind++) {
-      if (kind == path.get(0) || !repeat && word.used.get(kind)) {
+      if (kind == path.get(0) || (!repeat && word.used.get(kind))) {
         continue;
       }
       BitSet after = machine.after(word.states, kind);

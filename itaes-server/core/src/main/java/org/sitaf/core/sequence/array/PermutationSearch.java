@@ -76,7 +76,7 @@ final class PermutationSearch {
     int before = i == 0 ? -1 : place[tuple[i - 1]];
     int after = i == strength - 1 ? letters : place[tuple[i + 1]];
     int from = place[tuple[i]];
-    if (before > after || from > before && from < after) {
+    if (before > after || (from > before && from < after)) {
       return 1;
     }
     // The places between the two neighbours once the letter itself is taken out.

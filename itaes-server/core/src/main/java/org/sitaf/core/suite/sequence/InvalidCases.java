@@ -191,7 +191,7 @@ final class InvalidCases {
   private Optional<Integer> followUp(
       int call, AbstractState state, @Nullable AbstractState other, List<Integer> used) {
     return IntStream.concat(IntStream.of(call), IntStream.range(0, steps.size()))
-        .filter(kind -> repeat || kind != call && !used.contains(kind))
+        .filter(kind -> repeat || (kind != call && !used.contains(kind)))
         .filter(kind -> steps.get(kind).isAllowed(state))
         .filter(kind -> other == null || steps.get(kind).isAllowed(other))
         .boxed()

@@ -100,7 +100,7 @@ final class RowAssignment {
 
   private boolean insert(List<PlannedCase> cases, int kind, StepRow row) {
     for (PlannedCase planned : cases) {
-      if (planned.steps().size() >= length || !repeat && planned.contains(kind)) {
+      if (planned.steps().size() >= length || (!repeat && planned.contains(kind))) {
         continue;
       }
       int[] states = states(planned.steps());
