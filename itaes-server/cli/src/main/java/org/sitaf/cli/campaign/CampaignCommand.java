@@ -24,6 +24,7 @@ import org.sitaf.core.campaign.CampaignResult;
 import org.sitaf.core.campaign.Classification;
 import org.sitaf.core.campaign.FaultCampaign;
 import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GenerationOptions;
@@ -116,7 +117,7 @@ public final class CampaignCommand implements Callable<Integer> {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       CampaignRuns runs = new CampaignRuns(builds, activity, model, suite, err);
-      bases = bases(runs.healthy(chosen(suite)), model);
+      bases = bases(runs.healthy(chosen(suite, model)), model);
       double seconds = bases.stream().mapToDouble(Healthy::seconds).min().orElse(0);
       FaultCampaign campaign = new FaultCampaign(world, bases.size(), seconds, seed.value());
       List<CampaignCase> cases = random ? campaign.random(maxCases) : campaign.cases(maxCases);
@@ -150,10 +151,24 @@ public final class CampaignCommand implements Callable<Integer> {
                 + String.join(", ", models.stream().map(TestModel::name).toList()));
   }
 
-  /** Valid cases from the whole suite. */
-  private static List<TestCase> chosen(TestSuite suite) {
+  /** Valid cases from the whole suite, without the faults that the model itself sets. */
+  private static List<TestCase> chosen(TestSuite suite, TestModel model) {
     List<TestCase> valid = suite.cases().stream().filter(TestCase::valid).toList();
-    return spread(valid, MAX_HEALTHY);
+    List<TestCase> withoutFaults =
+        valid.stream().filter(testCase -> isWithoutFaults(testCase, model)).toList();
+    return spread(withoutFaults.isEmpty() ? valid : withoutFaults, MAX_HEALTHY);
+  }
+
+  private static boolean isWithoutFaults(TestCase testCase, TestModel model) {
+    return IntStream.range(0, model.inputs().size())
+        .allMatch(
+            i ->
+                FaultName.find(model.inputs().get(i).name())
+                    .filter(name -> name.part() == FaultName.Part.FAULT)
+                    .map(
+                        name ->
+                            Double.parseDouble(testCase.values().get(i)) == name.kind().neutral())
+                    .orElse(true));
   }
 
   private static List<Healthy> bases(List<Healthy> passing, TestModel model) {
