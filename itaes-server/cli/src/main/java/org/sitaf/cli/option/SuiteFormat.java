@@ -40,13 +40,13 @@ public enum SuiteFormat {
         json.writeStringProperty("test_model_name", suite.modelName());
         json.writeNumberProperty("seed", suite.generation().seed());
         json.writeArrayPropertyStart("parameters");
-        suite.parameters().forEach(parameter -> write(json, parameter));
+        suite.parameters().forEach(parameter -> writeParameter(json, parameter));
         json.writeEndArray();
         if (suite.isOfSequences()) {
           json.writeObjectPropertyStart("step_parameters");
           for (StepParameters step : suite.stepParameters()) {
             json.writeArrayPropertyStart(step.name());
-            step.parameters().forEach(parameter -> write(json, parameter));
+            step.parameters().forEach(parameter -> writeParameter(json, parameter));
             json.writeEndArray();
           }
           json.writeEndObject();
@@ -59,7 +59,7 @@ public enum SuiteFormat {
           json.writeArrayPropertyStart("values");
           testCase.values().forEach(json::writeString);
           json.writeEndArray();
-          write(json, testCase.expected());
+          writeExpected(json, testCase.expected());
           if (suite.isOfSequences()) {
             json.writeArrayPropertyStart("steps");
             for (TestStep step : testCase.steps()) {
@@ -69,7 +69,7 @@ public enum SuiteFormat {
               json.writeArrayPropertyStart("values");
               step.values().forEach(json::writeString);
               json.writeEndArray();
-              write(json, step.expected());
+              writeExpected(json, step.expected());
               json.writeEndObject();
             }
             json.writeEndArray();
@@ -83,7 +83,7 @@ public enum SuiteFormat {
     }
   };
 
-  private static void write(JsonGenerator json, CaseParameter parameter) {
+  private static void writeParameter(JsonGenerator json, CaseParameter parameter) {
     json.writeStartObject();
     json.writeStringProperty("name", parameter.name());
     json.writeStringProperty("type", parameter.kind().name());
@@ -91,7 +91,7 @@ public enum SuiteFormat {
     json.writeEndObject();
   }
 
-  private static void write(JsonGenerator json, List<ExpectedValue> values) {
+  private static void writeExpected(JsonGenerator json, List<ExpectedValue> values) {
     json.writeObjectPropertyStart("expected");
     for (ExpectedValue expected : values) {
       json.writeStringProperty(
