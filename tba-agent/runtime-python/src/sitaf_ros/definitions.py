@@ -144,6 +144,7 @@ class Definition:
     name: str
     constants: tuple[tuple[str, object], ...]
     fields: tuple[Field, ...]
+    constant_types: tuple[FieldType, ...] = ()
 
 
 def parts(text: str, kind: str) -> list[str]:
@@ -159,6 +160,7 @@ def parse(name: str, text: str, types: MessageTypes | None = None) -> Definition
     """Read one message; a type without a package is of the same package."""
     constants: list[tuple[str, object]] = []
     fields: list[Field] = []
+    constant_types: list[FieldType] = []
     for number, line in enumerate(text.splitlines(), 1):
         stripped = _without_comment(line).strip()
         if not stripped:
@@ -171,6 +173,7 @@ def parse(name: str, text: str, types: MessageTypes | None = None) -> Definition
             rest = match["rest"].strip()
             if rest.startswith("="):
                 constants.append((match["name"], _value(rest[1:].strip(), kind)))
+                constant_types.append(kind)
             else:
                 fields.append(Field(match["name"], kind, _value(rest, kind) if rest else None))
         except (ValueError, SyntaxError) as e:
@@ -178,7 +181,7 @@ def parse(name: str, text: str, types: MessageTypes | None = None) -> Definition
     if not fields:
         # As rosidl does for empty structures.
         fields.append(Field("structure_needs_at_least_one_member", FieldType("uint8")))
-    return Definition(name, tuple(constants), tuple(fields))
+    return Definition(name, tuple(constants), tuple(fields), tuple(constant_types))
 
 
 def _without_comment(line: str) -> str:

@@ -56,6 +56,10 @@ class Unobserved:
         """A node declared a parameter."""
         self._declared.add(name)
 
+    def warnings(self) -> list[str]:
+        """Return what was noted so far."""
+        return list(self._warnings)
+
     def report(self, graph: Graph, slow_polls: int) -> RosReport:
         """Return what is known now."""
         publications, subscriptions = graph.past_publications, graph.past_subscriptions

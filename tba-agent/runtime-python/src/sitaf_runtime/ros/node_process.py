@@ -167,12 +167,18 @@ def _load(plan: Plan, folder: Path) -> Any:
         raise CannotRunError(f"the runtime of ROS 2 nodes is incomplete: {e}") from e
     package = plan.node["package"]
     sources = _sources(package)
+    entry = plan.node["entry"]
+    kind: Any = RosApplication
+    if plan.node.get("library"):
+        from sitaf_ros.cpp.application import CppApplication
+
+        kind, entry = CppApplication, str(folder / plan.node["library"])
     # Only what the node itself sees; the runtime's own modules keep their places.
-    application = RosApplication(
+    application = kind(
         TypeFolders([folder / _INTERFACES]), package=package, folders=[sources], share={package: sources}
     )
     try:
-        application.load(plan.node["entry"])
+        application.load(entry)
     except RosLoadError as e:
         raise CannotRunError(f"the node cannot be loaded: {e}") from e
     except BaseException as e:

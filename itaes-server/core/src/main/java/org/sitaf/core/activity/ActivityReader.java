@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ros.MessageSignals;
+import org.sitaf.core.activity.ros.NodeSources;
 import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.description.InterfaceDescription;
@@ -108,7 +109,7 @@ final class ActivityReader {
     FileTree component = files.below(sources == null ? "" : sources);
     List<String> texts =
         component.paths().stream()
-            .filter(path -> path.endsWith(".py"))
+            .filter(path -> NodeSources.isSource(path, node.isCpp()))
             .map(path -> component.text(path).orElseThrow())
             .toList();
     Set<String> used = new HashSet<>();

@@ -66,7 +66,7 @@ final class ComponentFiles {
           "'" + folder + "' holds no package.xml; name the folder of a ROS 2 package");
     }
     String entry = node.entry();
-    boolean isFile = node.isMain() && entry.endsWith(".py");
+    boolean isFile = node.isMain() && (node.isCpp() || entry.endsWith(".py"));
     String module = entry.substring(0, Math.max(0, entry.indexOf(':')));
     if (module.isEmpty()) {
       module = entry.contains(".") ? entry.substring(0, entry.lastIndexOf('.')) : "";
@@ -75,7 +75,9 @@ final class ComponentFiles {
     boolean there =
         isFile
             ? sources.contains(entry)
-            : module.isEmpty()
+            // The sources of a C++ class are found when they are compiled.
+            : node.isCpp()
+                || module.isEmpty()
                 || sources.contains(path + ".py")
                 || sources.contains(path + "/__init__.py");
     if (!there) {

@@ -26,6 +26,8 @@ import org.sitaf.core.timing.Timing;
 
 /** Reads {@code activity.yaml}. */
 final class ProfileReader {
+  private static final String MUST_BE = "must be java, cpp, python, ros2-python or ros2-cpp, not '";
+
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,99}");
   private static final Set<String> ENTRIES =
       Set.of(
@@ -88,7 +90,8 @@ final class ProfileReader {
     Component reference = root.has(REFERENCE) ? component(root, REFERENCE) : null;
     RosNode node = node(root);
     if (node == null && root.has("topics")) {
-      root.problem("topics", "is only allowed with component.language: ros2-python; remove it");
+      root.problem(
+          "topics", "is only allowed with component.language: ros2-python or ros2-cpp; remove it");
     }
     if (node != null && reference != null) {
       root.problem(REFERENCE, "is not yet available for ROS 2 nodes; remove it");
@@ -180,11 +183,10 @@ final class ProfileReader {
   /** The component of a ROS 2 node. */
   private static Component rosNode(YamlMapping entry) {
     String language = entry.text("language").orElse("").toLowerCase(Locale.ROOT);
-    if (language.equals("ros2-cpp")) {
-      entry.problem("language", "ros2-cpp is not yet available; ROS 2 nodes can be ros2-python");
-    } else if (!language.equals("ros2-python")) {
-      entry.problem("language", "must be java, cpp, python or ros2-python, not '" + language + "'");
+    if (!language.equals("ros2-cpp") && !language.equals("ros2-python")) {
+      entry.problem("language", MUST_BE + language + "'");
     }
+    // The test application of a node is in Python for both languages.
     return new Component(
         Language.PYTHON,
         entry.requiredText("sources"),
@@ -266,7 +268,7 @@ final class ProfileReader {
       }
     }
     if (entry.has(name)) {
-      entry.problem(name, "must be java, cpp, python or ros2-python, not '" + text + "'");
+      entry.problem(name, MUST_BE + text + "'");
     }
     return Optional.empty();
   }

@@ -10,10 +10,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Finds message types in the sources of a Python node: those of {@code create_publisher} and {@code
+ * Finds message types in the sources of a node: those of {@code create_publisher} and {@code
  * create_subscription} with a literal name, and the interface packages that it imports.
  */
-final class NodeSources {
+public final class NodeSources {
   private static final int MAX_CHARACTERS = 1_000_000;
   private static final Pattern CREATED =
       Pattern.compile(
@@ -41,6 +41,25 @@ final class NodeSources {
           "^[ \\t]*(?:from|import)[ \\t]+([a-z][a-z0-9_]{0,100})\\.(?:msg|srv|action)\\b",
           Pattern.MULTILINE);
 
+  private static final Pattern CPP_SOURCE =
+      Pattern.compile(".*\\.(cpp|cc|cxx|c\\+\\+|C|hpp|hxx|hh|h)");
+
+  /** {@code create_publisher<TYPE>(NODE, "NAME"}, where the node may be missing. */
+  private static final Pattern CPP_CREATED =
+      Pattern.compile(
+          "\\bcreate_(publisher|subscription|client)\\s{0,10}<\\s{0,100}([\\w:]{1,200})[^>;]{0,100}>\\s{0,100}"
+              + "\\((?:\\s{0,100}[\\w>().-]{1,100},)?\\s{0,100}\"([^\"\\n]{1,200})\"");
+
+  private static final Pattern CPP_ALIAS =
+      Pattern.compile(
+          "\\busing\\s{1,20}(\\w{1,200})\\s{0,20}=\\s{0,20}(?:::)?(\\w{1,200}::(?:msg|srv|action)::\\w{1,200})\\s{0,20};");
+  private static final Pattern CPP_TYPE =
+      Pattern.compile("(?:::)?(\\w+)::(?:msg|srv|action)::([A-Z]\\w*)");
+  private static final Pattern CPP_PACKAGE =
+      Pattern.compile(
+          "^[ \\t]*#[ \\t]*include[ \\t]*[<\"]([a-z][a-z0-9_]{0,100})/(?:msg|srv|action)/",
+          Pattern.MULTILINE);
+
   /** Types whose topics always have the same names. */
   private static final Map<String, String> FIXED =
       Map.of(
@@ -58,10 +77,16 @@ final class NodeSources {
   /**
    * @param texts the node's sources
    * @param remap replaced names of the node
+   * @param isCpp whether they are in C++
    */
-  NodeSources(List<String> texts, Map<String, String> remap) {
+  NodeSources(List<String> texts, Map<String, String> remap, boolean isCpp) {
     for (String text : texts) {
-      if (text.length() <= MAX_CHARACTERS) {
+      if (text.length() > MAX_CHARACTERS) {
+        continue;
+      }
+      if (isCpp) {
+        scanCpp(text, remap);
+      } else {
         scan(text, remap);
       }
     }
@@ -100,6 +125,37 @@ final class NodeSources {
         }
       }
     }
+  }
+
+  private void scanCpp(String text, Map<String, String> remap) {
+    Map<String, String> aliases = new HashMap<>();
+    Matcher alias = CPP_ALIAS.matcher(text);
+    while (alias.find()) {
+      aliases.put(alias.group(1), alias.group(2));
+    }
+    Matcher used = CPP_PACKAGE.matcher(text);
+    while (used.find()) {
+      packages.add(used.group(1));
+    }
+    Matcher created = CPP_CREATED.matcher(text);
+    while (created.find()) {
+      String written = aliases.getOrDefault(created.group(2), created.group(2));
+      Matcher type = CPP_TYPE.matcher(written);
+      if (type.matches()) {
+        String name = type.group(1) + "/" + type.group(2);
+        String topic = full(created.group(3), remap);
+        if (created.group(1).equals("client")) {
+          clients.computeIfAbsent(name, t -> new TreeSet<>()).add(topic);
+        } else {
+          types.computeIfAbsent(topic, t -> new TreeSet<>()).add(name);
+        }
+      }
+    }
+  }
+
+  /** Whether a file is a source of a node. */
+  public static boolean isSource(String path, boolean isCpp) {
+    return isCpp ? CPP_SOURCE.matcher(path).matches() : path.endsWith(".py");
   }
 
   private static String full(String topic, Map<String, String> remap) {

@@ -76,7 +76,7 @@ public record RosInterfaces(
       @Nullable WorldDescription world,
       String profile,
       Diagnostics diagnostics) {
-    NodeSources sources = new NodeSources(texts, node.remap());
+    NodeSources sources = new NodeSources(texts, node.remap(), node.isCpp());
     List<Topic> topics =
         new TopicTypes(sources, world, profile, diagnostics).resolve(node.topics());
     Set<String> wanted = new LinkedHashSet<>(used);

@@ -12,8 +12,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * What {@code activity.yaml} says about a component that is a ROS 2 node.
  *
+ * @param isCpp whether it is written in C++, otherwise in Python
  * @param entry the node's class, or with {@code isMain} its function {@code module:function} or a
  *     file relative to the sources
+ * @param packages names of pkg-config that a C++ node is linked with
  * @param parameters overrides of declared parameters: Boolean, Long, Double, String or a List of
  *     these
  * @param parameterFile path of a ROS parameter file in the activity; null if there is none
@@ -24,8 +26,10 @@ import org.jspecify.annotations.Nullable;
  * @param services names of the provided services and actions by their interface file
  */
 public record RosNode(
+    boolean isCpp,
     String entry,
     boolean isMain,
+    List<String> packages,
     Map<String, Object> parameters,
     @Nullable String parameterFile,
     Map<String, String> remap,
@@ -41,6 +45,7 @@ public record RosNode(
 
   public RosNode {
     Objects.requireNonNull(entry);
+    packages = List.copyOf(packages);
     parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
     remap = Collections.unmodifiableMap(new TreeMap<>(remap));
     environment = Collections.unmodifiableMap(new TreeMap<>(environment));
@@ -111,11 +116,31 @@ public record RosNode(
   /** A copy with names of services and actions. */
   public RosNode withServices(Map<String, String> names) {
     return new RosNode(
-        entry, isMain, parameters, parameterFile, remap, environment, stdin, topics, names);
+        isCpp,
+        entry,
+        isMain,
+        packages,
+        parameters,
+        parameterFile,
+        remap,
+        environment,
+        stdin,
+        topics,
+        names);
   }
 
   RosNode withTopics(List<Topic> resolved) {
     return new RosNode(
-        entry, isMain, parameters, parameterFile, remap, environment, stdin, resolved, services);
+        isCpp,
+        entry,
+        isMain,
+        packages,
+        parameters,
+        parameterFile,
+        remap,
+        environment,
+        stdin,
+        resolved,
+        services);
   }
 }

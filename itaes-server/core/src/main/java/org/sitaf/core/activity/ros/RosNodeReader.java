@@ -25,6 +25,7 @@ public final class RosNodeReader {
           "sources",
           "class",
           "main",
+          "packages",
           "parameters",
           "remap",
           "environment",
@@ -38,6 +39,10 @@ public final class RosNodeReader {
       Pattern.compile("([a-z][a-z0-9_]*)/(?:msg/)?([A-Z][A-Za-z0-9]*)(?:\\.msg)?");
   private static final Pattern ENTRY =
       Pattern.compile("[A-Za-z_]\\w*(\\.[A-Za-z_]\\w*)*([:.][A-Za-z_]\\w*)");
+  private static final Pattern CPP_CLASS =
+      Pattern.compile("[A-Za-z_]\\w{0,200}(::[A-Za-z_]\\w{0,200}){0,20}");
+  private static final Pattern CPP_FILE = Pattern.compile(".+\\.(cpp|cc|cxx|c\\+\\+|C)");
+  private static final Pattern PACKAGE = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.+-]{0,100}");
   private static final Pattern VARIABLE = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
   private static final String ENDS = "device.NAME, input.NAME, output.NAME or world";
   private static final int MAX_TOPICS = 200;
@@ -55,8 +60,11 @@ public final class RosNodeReader {
               + " or a file)");
     }
     String entry = component.text(isMain ? "main" : "class").orElse("");
+    boolean isCpp = component.text("language").orElse("").equalsIgnoreCase("ros2-cpp");
     boolean isFile = isMain && entry.endsWith(".py");
-    if (!entry.isEmpty() && !isFile && !ENTRY.matcher(entry).matches()) {
+    if (isCpp) {
+      cppEntry(component, entry, isMain);
+    } else if (!entry.isEmpty() && !isFile && !ENTRY.matcher(entry).matches()) {
       component.problem(
           isMain ? "main" : "class",
           "'"
@@ -85,8 +93,10 @@ public final class RosNodeReader {
         .forEach(
             name -> component.problem("environment", "'" + name + "' is no name of a variable"));
     return new RosNode(
+        isCpp,
         entry,
         isMain,
+        packages(component, isCpp),
         parameters,
         parameterFile,
         texts(component, "remap"),
@@ -94,6 +104,31 @@ public final class RosNodeReader {
         stdin(component),
         topics(root),
         Map.of());
+  }
+
+  private static void cppEntry(YamlMapping component, String entry, boolean isMain) {
+    if (!entry.isEmpty() && !(isMain ? CPP_FILE : CPP_CLASS).matcher(entry).matches()) {
+      component.problem(
+          isMain ? "main" : "class",
+          "'"
+              + entry
+              + "' is not "
+              + (isMain
+                  ? "a C++ source with the function main, such as src/follower_main.cpp"
+                  : "a C++ class or component, such as my_package::Follower"));
+    }
+  }
+
+  private static List<String> packages(YamlMapping component, boolean isCpp) {
+    List<String> packages = component.texts("packages");
+    if (!isCpp && !packages.isEmpty()) {
+      component.problem(
+          "packages", "is only for ros2-cpp; name Python packages in requirements.txt");
+    }
+    packages.stream()
+        .filter(name -> !PACKAGE.matcher(name).matches())
+        .forEach(name -> component.problem("packages", "'" + name + "' is no name of pkg-config"));
+    return packages;
   }
 
   private static void parameter(

@@ -45,6 +45,9 @@ public final class RosHarness {
   /** The folder of interface files in the sources of a test application. */
   public static final String INTERFACES = "sitaf_ros_interfaces";
 
+  /** The compiled node of a C++ package, next to the sources of the test application. */
+  public static final String LIBRARY = "sitaf_node/libnode.so";
+
   private static final Pattern PACKAGE_NAME = Pattern.compile("<name>\\s*([\\w-]+)\\s*</name>");
   private static final Pattern SERVICE_FILE = Pattern.compile("(?:.*/)?(srv|action)/(\\w+)\\.\\1");
 
@@ -136,6 +139,9 @@ public final class RosHarness {
     Matcher name =
         PACKAGE_NAME.matcher(activity.files().below(sources).text("package.xml").orElse(""));
     Map<String, Object> entry = new LinkedHashMap<>();
+    if (node.isCpp()) {
+      entry.put("library", LIBRARY);
+    }
     entry.put("entry", node.entry());
     entry.put("package", name.find() ? name.group(1) : "");
     entry.put("parameters", node.parameters());

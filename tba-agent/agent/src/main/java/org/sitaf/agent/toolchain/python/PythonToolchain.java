@@ -27,6 +27,7 @@ import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosNode;
 
 /**
  * Compiles Python test applications to byte code, which finds syntax errors early, and runs them in
@@ -48,9 +49,12 @@ public final class PythonToolchain implements Toolchain {
   private final Interpreter interpreter;
   private final Environments environments;
 
-  private PythonToolchain(Interpreter interpreter, Environments environments) {
+  private final CppNodes cppNodes;
+
+  private PythonToolchain(Interpreter interpreter, Environments environments, CppNodes cppNodes) {
     this.interpreter = interpreter;
     this.environments = environments;
+    this.cppNodes = cppNodes;
   }
 
   /** Searches a Python that can create environments, and the runtime. */
@@ -71,7 +75,10 @@ public final class PythonToolchain implements Toolchain {
                             found,
                             runtime,
                             places.cache().resolve("python"),
-                            PipSettings.ofThisMachine()))))
+                            PipSettings.ofThisMachine()),
+                        new CppNodes(
+                            places.runtimes().resolve("runtime-cpp").resolve("ros"),
+                            places.cache().resolve("cpp-nodes")))))
         .orElseGet(
             () ->
                 new Missing(
@@ -91,7 +98,7 @@ public final class PythonToolchain implements Toolchain {
 
   @Override
   public String identity() throws IOException {
-    return environments.identity();
+    return environments.identity() + cppNodes.identity();
   }
 
   @Override
@@ -106,6 +113,11 @@ public final class PythonToolchain implements Toolchain {
     copy(compilation.application().harness(), compilation.output().resolve(HARNESS));
     if (profile.ros() == null) {
       requireModule(compilation, profile.component(), roots);
+    }
+
+    if (profile.ros() != null && profile.ros().isCpp()) {
+      cppNodes.compile(
+          compilation, environment(compilation), interpreter.prefixes(), roots, profile.ros());
     }
 
     // Without the component's packages, whose code would run at the start of the interpreter.
@@ -167,7 +179,8 @@ public final class PythonToolchain implements Toolchain {
   private @Nullable PythonCoverage coverage(
       Compilation compilation, Map<String, String> roots, Path environment) {
     String sources = compilation.application().activity().profile().component().sources();
-    if (!compilation.coverage() || sources == null) {
+    RosNode node = compilation.application().activity().profile().ros();
+    if (!compilation.coverage() || sources == null || (node != null && node.isCpp())) {
       return null;
     }
     String folder = withTrailingSlash(sources);
@@ -310,7 +323,7 @@ public final class PythonToolchain implements Toolchain {
   }
 
   /** Maps a compiler error in a copy to the original file. */
-  private static SourceDiagnostic diagnostic(String line, Path output, Map<String, String> roots) {
+  static SourceDiagnostic diagnostic(String line, Path output, Map<String, String> roots) {
     String[] parts = line.split("\t", 4);
     if (parts.length < 4 || !parts[1].matches("\\d{1,9}") || !parts[2].matches("\\d{1,9}")) {
       return new SourceDiagnostic("", 0, 0, line, false);

@@ -1,0 +1,219 @@
+package org.sitaf.agent.toolchain.python;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.stream.Stream;
+import org.sitaf.agent.sandbox.Confinement;
+import org.sitaf.agent.sandbox.ProcessLimits;
+import org.sitaf.agent.sandbox.ToolResult;
+import org.sitaf.agent.toolchain.Compilation;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosNode;
+import org.sitaf.core.digest.Sha256;
+import org.sitaf.core.harness.ros.RosHarness;
+
+/**
+ * Compiles C++ ROS 2 nodes to a library that the Python test application loads. The runtime of
+ * nodes is compiled once per compiler and set of interface files that it uses.
+ */
+final class CppNodes {
+  private static final String BUILD = "sitaf_ros.cpp.build";
+  private static final String SOURCES = "component";
+
+  private final Path api;
+  private final Path cache;
+  private final Lock lock = new ReentrantLock();
+
+  /**
+   * @param api sources of the runtime of nodes
+   * @param cache folder for compiled runtimes
+   */
+  CppNodes(Path api, Path cache) {
+    this.api = api;
+    this.cache = cache;
+  }
+
+  /** What determines the result of {@link #compile} besides the sources. */
+  String identity() throws IOException {
+    StringBuilder identity = new StringBuilder("\n");
+    Optional<Path> compiler = compiler();
+    if (compiler.isPresent()) {
+      Path program = compiler.get().toRealPath();
+      identity.append(program).append(' ').append(Files.size(program)).append(' ');
+      identity.append(Files.getLastModifiedTime(program)).append('\n');
+    }
+    if (Files.isDirectory(api)) {
+      try (Stream<Path> files = Files.walk(api)) {
+        for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
+          identity.append(api.relativize(file)).append(' ');
+          identity.append(Sha256.hex(Files.readAllBytes(file))).append('\n');
+        }
+      }
+    }
+    return identity.toString();
+  }
+
+  private static Optional<Path> compiler() {
+    String chosen = System.getenv("CXX");
+    List<String> names =
+        chosen == null || chosen.isBlank() ? List.of("g++", "clang++") : List.of(chosen.strip());
+    for (String name : names) {
+      for (String folder :
+          System.getenv().getOrDefault("PATH", "/usr/bin:/bin").split(File.pathSeparator)) {
+        Path program = Path.of(folder.isEmpty() ? "." : folder).resolve(name).toAbsolutePath();
+        if (Files.isExecutable(program)) {
+          return Optional.of(program);
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * Compiles a node into the folder of the harness.
+   *
+   * @param environment has the runtime of test applications
+   * @param prefixes folders of Python's own library
+   * @param roots names of the copies of the activity's folders in the output folder
+   */
+  void compile(
+      Compilation compilation,
+      Path environment,
+      List<Path> prefixes,
+      Map<String, String> roots,
+      RosNode node)
+      throws CompilationException, IOException, InterruptedException {
+    Path compiler =
+        compiler()
+            .orElseThrow(
+                () ->
+                    new CompilationException(
+                        "a ROS 2 node in C++ needs a C++ compiler; ./sitaf doctor --install cpp",
+                        List.of()));
+    Path harness = compilation.output().resolve("harness");
+    Path interfaces = harness.resolve(RosHarness.INTERFACES);
+    List<Path> readable = new ArrayList<>(prefixes);
+    readable.addAll(List.of(environment, api, harness));
+    Path runtime = runtime(compilation, environment, compiler, interfaces, readable);
+    Path library = compilation.output().resolve("harness").resolve(RosHarness.LIBRARY);
+    Path into = Objects.requireNonNull(library.getParent());
+    Files.createDirectories(into);
+    Path scratch = Files.createTempDirectory(compilation.scratch(), "node-");
+    Path sources = compilation.output().resolve(SOURCES);
+    List<String> arguments = new ArrayList<>(List.of("node", "--compiler", compiler.toString()));
+    add(arguments, "--api", api);
+    add(arguments, "--interfaces", interfaces);
+    add(arguments, "--into", into);
+    add(arguments, "--runtime", runtime);
+    add(arguments, "--scratch", scratch);
+    add(arguments, "--package", sources);
+    arguments.addAll(List.of("--entry", node.entry()));
+    if (node.isMain()) {
+      arguments.add("--main");
+    }
+    if (!node.packages().isEmpty()) {
+      arguments.add("--packages");
+      arguments.addAll(node.packages());
+    }
+    readable.addAll(List.of(runtime, sources));
+    ToolResult end = run(compilation, environment, arguments, scratch, readable, List.of(into));
+    if (end.timedOut()) {
+      throw new CompilationException(
+          "the compilation did not finish within " + compilation.atMost().toSeconds() + " s",
+          List.of());
+    }
+    List<SourceDiagnostic> mistakes =
+        end.code() == 0
+            ? List.of()
+            : end.output()
+                .lines()
+                .map(line -> PythonToolchain.diagnostic(line, compilation.output(), roots))
+                .toList();
+    if (!mistakes.isEmpty()) {
+      throw new CompilationException("the node does not compile: " + mistakes.get(0), mistakes);
+    }
+    if (end.code() != 0) {
+      throw new IOException(
+          "the build of the node ended with exit code " + end.code() + ": " + end.errors());
+    }
+  }
+
+  private static void add(List<String> arguments, String option, Path value) {
+    arguments.add(option);
+    arguments.add(value.toString());
+  }
+
+  /** The compiled runtime; compiles it at the first use. */
+  private Path runtime(
+      Compilation compilation,
+      Path environment,
+      Path compiler,
+      Path interfaces,
+      List<Path> readable)
+      throws IOException, InterruptedException {
+    StringBuilder key = new StringBuilder(identity());
+    FileTree files = compilation.application().harness().below(RosHarness.INTERFACES);
+    for (String path : files.paths()) {
+      key.append(path).append(' ').append(Sha256.hex(files.content(path).orElseThrow()));
+    }
+    Path built = cache.resolve(Sha256.hex(key.toString().getBytes(StandardCharsets.UTF_8)));
+    lock.lockInterruptibly();
+    try {
+      if (Files.isDirectory(built)) {
+        return built;
+      }
+      Files.createDirectories(cache);
+      // A compiler notes the place of a precompiled header, so it is made where it stays.
+      Path fresh = Files.createTempDirectory(cache, "new-");
+      List<String> arguments =
+          new ArrayList<>(List.of("runtime", "--compiler", compiler.toString()));
+      add(arguments, "--api", api);
+      add(arguments, "--interfaces", interfaces);
+      add(arguments, "--into", fresh);
+      ToolResult end = run(compilation, environment, arguments, fresh, readable, List.of(fresh));
+      if (end.code() != 0 || end.timedOut()) {
+        throw new IOException(
+            "the runtime of C++ nodes does not compile here: " + end.output() + end.errors());
+      }
+      Files.move(fresh, built);
+      return built;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static ToolResult run(
+      Compilation compilation,
+      Path environment,
+      List<String> arguments,
+      Path working,
+      List<Path> readable,
+      List<Path> writable)
+      throws IOException, InterruptedException {
+    List<String> command =
+        new ArrayList<>(
+            List.of(Environments.python(environment).toString(), "-s", "-P", "-m", BUILD));
+    command.addAll(arguments);
+    Path temporary = Files.createTempDirectory(compilation.scratch(), "build-");
+    return compilation
+        .sandbox()
+        .run(
+            Confinement.of(command, working, temporary, ProcessLimits.TOOL)
+                .withEnvironment(Map.of("PYTHONUTF8", "1", "TMPDIR", temporary.toString()))
+                .reading(readable)
+                .writing(writable),
+            compilation.atMost());
+  }
+}

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "diagnostic_updater/diagnostic_updater.hpp"
