@@ -60,7 +60,7 @@ def activity(folder, package, component, topics="{}", further="", text=""):
     return folder
 
 
-@pytest.mark.parametrize("example", ["velocity-mux-ros", "wall-stop-ros"])
+@pytest.mark.parametrize("example", ["velocity-mux-ros", "wall-stop-ros", "wall-stop-ros-cpp"])
 def test_an_example_passes_with_the_same_result_each_time(sitaf, tmp_path, example):
     first, once = results(sitaf, f"examples/{example}", tmp_path / "once")
     again, twice = results(sitaf, f"examples/{example}", tmp_path / "twice")
@@ -74,6 +74,7 @@ def test_an_example_passes_with_the_same_result_each_time(sitaf, tmp_path, examp
     [
         ("velocity-mux-ros-faulty", "a command that is too old is not passed on"),
         ("wall-stop-ros-faulty", "keeps its distance: broken at"),
+        ("wall-stop-ros-cpp-faulty", "keeps its distance: broken at"),
     ],
 )
 def test_a_faulty_node_fails(sitaf, example, message):

@@ -26,6 +26,11 @@ WaitResultKind WaitSet::wait_for(sitaf_ros::Nanos nanos)
     look(guards_, ready_.guard_conditions);
     look(clients_, ready_.clients);
     look(services_, ready_.services);
+    ready_.size_of_subscriptions = subscriptions_.size();
+    ready_.size_of_timers = timers_.size();
+    ready_.size_of_guard_conditions = guards_.size();
+    ready_.size_of_clients = clients_.size();
+    ready_.size_of_services = services_.size();
     if (any) {
       for (const auto & guard : guards_) {
         guard->sitaf_taken();

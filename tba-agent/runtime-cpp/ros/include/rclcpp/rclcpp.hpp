@@ -1,7 +1,13 @@
 #pragma once
 
+#include <chrono>
 #include <csignal>
+#include <functional>
 #include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "rclcpp/executor.hpp"
 #include "rclcpp/logging.hpp"

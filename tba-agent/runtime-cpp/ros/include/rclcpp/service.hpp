@@ -54,24 +54,7 @@ public:
   Service(node_interfaces::NodeCore & node, const std::string & name, F callback)
   : ServiceBase(node, name, S::sitaf_name)
   {
-    using Id = std::shared_ptr<rmw_request_id_t>;
-    using Req = std::shared_ptr<Request>;
-    using Resp = std::shared_ptr<Response>;
-    callback_ = [callback](const auto & self, const Id & id, const Req & request) mutable {
-        if constexpr (std::is_invocable_v<F &, Req, Resp>&& !std::is_invocable_v<F &, Id, Req>) {
-          auto response = std::make_shared<Response>();
-          callback(request, response);
-          self->send_response(*id, *response);
-        } else if constexpr (std::is_invocable_v<F &, Id, Req>) {
-          callback(id, request);
-        } else if constexpr (std::is_invocable_v<F &, Id, Req, Resp>) {
-          auto response = std::make_shared<Response>();
-          callback(id, request, response);
-          self->send_response(*id, *response);
-        } else {
-          callback(self, id, request);
-        }
-      };
+    callback_ = Caller<F>{std::move(callback)};
   }
   void start() {begin();}
 
@@ -98,6 +81,33 @@ protected:
   }
 
 private:
+  /// Calls a callback of any of the forms that ROS accepts.
+  template<class F>
+  struct Caller
+  {
+    using Id = std::shared_ptr<rmw_request_id_t>;
+    using Req = std::shared_ptr<Request>;
+    using Resp = std::shared_ptr<Response>;
+    F callback;
+
+    void operator()(const std::shared_ptr<Service> & self, const Id & id, const Req & request)
+    {
+      if constexpr (std::is_invocable_v<F &, Req, Resp>) {
+        Resp response = std::make_shared<Response>();
+        callback(request, response);
+        self->send_response(*id, *response);
+      } else if constexpr (std::is_invocable_v<F &, Id, Req, Resp>) {
+        Resp response = std::make_shared<Response>();
+        callback(id, request, response);
+        self->send_response(*id, *response);
+      } else if constexpr (std::is_invocable_v<F &, Id, Req>) {
+        callback(id, request);
+      } else {
+        callback(self, id, request);
+      }
+    }
+  };
+
   Callback callback_;
 };
 

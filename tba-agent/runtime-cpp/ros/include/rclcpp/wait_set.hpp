@@ -42,6 +42,8 @@ struct SubscriptionWaitSetMask
 struct ReadyLists
 {
   std::vector<const void *> subscriptions, timers, guard_conditions, clients, services;
+  std::size_t size_of_subscriptions = 0, size_of_timers = 0, size_of_guard_conditions = 0, size_of_clients = 0,
+    size_of_services = 0;
 };
 
 template<class W>

@@ -299,7 +299,7 @@ typename Client<A>::SharedPtr create_client(
   rclcpp::node_interfaces::NodeCore::SharedPtr, rclcpp::node_interfaces::NodeCore::SharedPtr, const std::string & name,
   rclcpp::CallbackGroup::SharedPtr group = nullptr)
 {
-  return create_client<A>(node, name, group);
+  return rclcpp_action::create_client<A>(node, name, group);
 }
 
 }  // namespace rclcpp_action

@@ -284,7 +284,7 @@ typename Server<A>::SharedPtr create_server(
   typename Server<A>::AcceptedCallback accepted, const ServerOptions & = {},
   rclcpp::CallbackGroup::SharedPtr group = nullptr)
 {
-  return create_server<A>(node, name, std::move(goal), std::move(cancel), std::move(accepted), {}, group);
+  return rclcpp_action::create_server<A>(node, name, std::move(goal), std::move(cancel), std::move(accepted), {}, group);
 }
 
 }  // namespace rclcpp_action

@@ -44,6 +44,25 @@ class RosActivityTest {
       models: [Model.xml]
       """;
 
+  private static final String CPP_PROFILE =
+      PROFILE
+          .replace("ros2-python", "ros2-cpp")
+          .replace("class: pilot.node:Pilot", "class: pilot::Pilot");
+
+  private static final String CPP_NODE =
+      """
+      #include "geometry_msgs/msg/twist.hpp"
+      #include <sensor_msgs/msg/joy.hpp>
+      using Twist = geometry_msgs::msg::Twist;
+      class Pilot : public rclcpp::Node {
+        Pilot() : Node("pilot") {
+          out_ = this->create_publisher<Twist>("cmd_vel", 10);
+          in_ = create_subscription<sensor_msgs::msg::Joy>(
+              "joy", rclcpp::SensorDataQoS(), std::bind(&Pilot::on_joy, this, _1));
+        }
+      };
+      """;
+
   private static final String NODE =
       """
       from geometry_msgs.msg import Twist
@@ -179,10 +198,38 @@ class RosActivityTest {
   }
 
   @Test
-  void namesWhatIsNotYetAvailable() {
-    files.put("activity.yaml", PROFILE.replace("ros2-python", "ros2-cpp"));
+  void readsANodeInCpp() {
+    files.put("src/pilot/src/pilot.cpp", CPP_NODE);
+    files.put("activity.yaml", CPP_PROFILE);
 
-    assertThat(problems()).anyMatch(p -> p.contains("ros2-cpp is not yet available"));
+    Activity activity = Activity.read(tree(files), PACKAGES);
+
+    assertThat(activity.ros().node().isCpp()).isTrue();
+    assertThat(activity.ros().node().entry()).isEqualTo("pilot::Pilot");
+    assertThat(activity.ros().node().topics())
+        .extracting(Topic::type)
+        .containsExactly("sensor_msgs/Joy", "geometry_msgs/Twist");
+  }
+
+  @Test
+  void refusesEntriesThatAreNotOfItsLanguage() {
+    files.put("src/pilot/src/pilot.cpp", CPP_NODE);
+    files.put(
+        "activity.yaml",
+        CPP_PROFILE.replace("class: pilot::Pilot", "class: pilot.node:Pilot\n  packages: [a b]"));
+
+    assertThat(problems())
+        .anyMatch(p -> p.contains("'pilot.node:Pilot' is not a C++ class or component"))
+        .anyMatch(p -> p.contains("'a b' is no name of pkg-config"));
+  }
+
+  @Test
+  void refusesAMainThatIsNotThere() {
+    files.put("src/pilot/src/pilot.cpp", CPP_NODE);
+    files.put("activity.yaml", CPP_PROFILE.replace("class: pilot::Pilot", "main: src/other.cpp"));
+
+    assertThat(problems())
+        .anyMatch(p -> p.contains("component.main: 'src/other.cpp' does not exist below"));
   }
 
   @Test
