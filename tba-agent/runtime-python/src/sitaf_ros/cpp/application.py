@@ -7,7 +7,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from sitaf_ros import RosApplication, conversion, serialization
 from sitaf_ros.cpp.library import Library
@@ -132,7 +132,7 @@ class CppSystem(RosSystem):
             time = (event.time + (0 if self.settings.use_sim_time else 1_700_000_000 * 10**9)) / 1e9
             sys.stderr.write(f"[{level}] [{time:.9f}] [{logger}]: {text}\n")
 
-    _events: dict[int, Callable[[CppSystem, Any], None]] = {
+    _events: ClassVar[dict[int, Callable[[CppSystem, Any], None]]] = {
         1: _message,
         2: _request,
         3: _response,

@@ -38,7 +38,8 @@ def types_of(interfaces: Path) -> LayeredTypes:
 
 
 def _run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    # The compiler, with files of the node, in the sandbox of the caller.
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)  # noqa: S603
 
 
 def build_runtime(compiler: str, sources: Path, interfaces: Path, into: Path) -> None:
@@ -101,6 +102,7 @@ class Build:
             headers.write(sources.types(entry.units), self._scratch / "generated")
         except DefinitionError as e:
             return self._report([f"\t0\t0\t{e}"])
+        self._write_configured(sources)
         generated = self._scratch / "sitaf_entry.cpp"
         generated.write_text(entry.text, encoding="utf-8")
         units = [generated, *(u for u in entry.units if u not in entry.included)]
@@ -108,8 +110,9 @@ class Build:
         if problem:
             return self._report([f"\t0\t0\t{problem}"])
         objects = [self._scratch / f"unit{i}.o" for i in range(len(units))]
+        pairs = list(zip(units, objects, strict=True))
         with ThreadPoolExecutor(_PARALLEL) as pool:
-            results = list(pool.map(lambda pair: self._compile(*pair, sources, entry, flags), zip(units, objects, strict=True)))
+            results = list(pool.map(lambda pair: self._compile(*pair, sources, entry, flags), pairs))
         if not all(results):
             return self._report(self._errors)
         return self._link(objects, flags)
@@ -128,16 +131,28 @@ class Build:
             self._errors += found or [f"{unit}\t0\t0\t{done.stderr.strip() or 'the compiler failed'}"]
         return done.returncode == 0
 
+    def _write_configured(self, sources: NodeSources) -> None:
+        """Write what generate_export_header and configure_file make."""
+        folder = self._scratch / "configured"
+        folder.mkdir(exist_ok=True)
+        for name, text in sources.cmake.generated_headers.items():
+            (folder / name).write_text(text, encoding="utf-8")
+        for template, name in sources.cmake.configured:
+            text = template.read_text(encoding="utf-8", errors="replace")
+            text = re.sub(r"@(\w+)@|\$\{(\w+)\}", lambda m: sources.cmake.variable(m[1] or m[2]), text)
+            text = re.sub(r"^#cmakedefine (\w+).*$", lambda m: f"/* #undef {m[1]} */", text, flags=re.M)
+            (folder / name).write_text(text, encoding="utf-8")
+
     def _package_flags(self, sources: NodeSources) -> tuple[dict[str, list[str]], str]:
         """The flags of pkg-config packages that the activity or CMakeLists.txt names."""
         flags: dict[str, list[str]] = {"--cflags": [], "--libs": []}
         for package, required in [*((p, True) for p in self._packages), *((p, False) for p in sources.packages())]:
-            for option, into in flags.items():
+            for option, found in flags.items():
                 done = _run(["pkg-config", option, package], self._scratch)
                 if done.returncode and required:
                     return flags, f"packages: pkg-config does not know {package}: {done.stderr.strip()}"
                 if not done.returncode:
-                    into += done.stdout.split()
+                    found.extend(done.stdout.split())
         return flags, ""
 
     def _link(self, objects: list[Path], flags: dict[str, list[str]]) -> int:

@@ -9,6 +9,13 @@ _COMMAND = re.compile(r"^[ \t]*(\w+)[ \t]*\(([^()]*(?:\([^()]*\)[^()]*)*)\)", re
 _WORD = re.compile(r'"((?:[^"\\]|\\.)*)"|([^\s"]+)')
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _GENERATOR = re.compile(r"\$<BUILD_INTERFACE:([^>]*)>")
+_TARGETS = (
+    "add_library",
+    "add_executable",
+    "ament_auto_add_library",
+    "ament_auto_add_executable",
+    "target_sources",
+)
 # find_package names and those of pkg-config.
 _SYSTEM = {
     "eigen3": "eigen3",
@@ -59,9 +66,7 @@ class CMake:
                 self.standard = int(words[1])
         elif name == "find_package" and words and words[0].lower() in _SYSTEM:
             self.system_packages.append(_SYSTEM[words[0].lower()])
-        elif name in ("add_library", "add_executable", "ament_auto_add_library", "ament_auto_add_executable") and words:
-            self.targets.setdefault(words[0], []).extend(self._files(words[1:]))
-        elif name == "target_sources" and words:
+        elif name in _TARGETS and words:
             self.targets.setdefault(words[0], []).extend(self._files(words[1:]))
         elif name in ("include_directories", "target_include_directories"):
             kept = words[1:] if name.startswith("target") else words

@@ -86,7 +86,8 @@ class CppHeaders:
             f"#include <memory>\n#include <string>\n#include <vector>\n\n"
             f'#include "rosidl_runtime_cpp/bounded_vector.hpp"\n'
             f'#include "rosidl_runtime_cpp/message_initialization.hpp"\n{includes}\n'
-            f"namespace {package} {{\nnamespace {kind} {{\n\n{body}}}  // namespace {kind}\n}}  // namespace {package}\n\n"
+            f"namespace {package} {{\nnamespace {kind} {{\n\n{body}"
+            f"}}  // namespace {kind}\n}}  // namespace {package}\n\n"
             f"#endif\n",
             used,
         )

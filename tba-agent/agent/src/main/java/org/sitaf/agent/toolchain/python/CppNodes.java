@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -31,6 +32,9 @@ import org.sitaf.core.harness.ros.RosHarness;
 final class CppNodes {
   private static final String BUILD = "sitaf_ros.cpp.build";
   private static final String SOURCES = "component";
+
+  /** For the runtime, which has no code of users and may meet a busy machine. */
+  private static final Duration RUNTIME_AT_MOST = Duration.ofMinutes(20);
 
   private final Path api;
   private final Path cache;
@@ -128,7 +132,15 @@ final class CppNodes {
       arguments.addAll(node.packages());
     }
     readable.addAll(List.of(runtime, sources));
-    ToolResult end = run(compilation, environment, arguments, scratch, readable, List.of(into));
+    ToolResult end =
+        run(
+            compilation,
+            environment,
+            arguments,
+            scratch,
+            readable,
+            List.of(into),
+            compilation.atMost());
     if (end.timedOut()) {
       throw new CompilationException(
           "the compilation did not finish within " + compilation.atMost().toSeconds() + " s",
@@ -182,7 +194,15 @@ final class CppNodes {
       add(arguments, "--api", api);
       add(arguments, "--interfaces", interfaces);
       add(arguments, "--into", fresh);
-      ToolResult end = run(compilation, environment, arguments, fresh, readable, List.of(fresh));
+      ToolResult end =
+          run(
+              compilation,
+              environment,
+              arguments,
+              fresh,
+              readable,
+              List.of(fresh),
+              RUNTIME_AT_MOST);
       if (end.code() != 0 || end.timedOut()) {
         throw new IOException(
             "the runtime of C++ nodes does not compile here: " + end.output() + end.errors());
@@ -200,7 +220,8 @@ final class CppNodes {
       List<String> arguments,
       Path working,
       List<Path> readable,
-      List<Path> writable)
+      List<Path> writable,
+      Duration atMost)
       throws IOException, InterruptedException {
     List<String> command =
         new ArrayList<>(
@@ -214,6 +235,6 @@ final class CppNodes {
                 .withEnvironment(Map.of("PYTHONUTF8", "1", "TMPDIR", temporary.toString()))
                 .reading(readable)
                 .writing(writable),
-            compilation.atMost());
+            atMost);
   }
 }
