@@ -110,9 +110,12 @@ class Build:
         if problem:
             return self._report([f"\t0\t0\t{problem}"])
         objects = [self._scratch / f"unit{i}.o" for i in range(len(units))]
-        pairs = list(zip(units, objects, strict=True))
+
+        def compile_one(unit: Path, into: Path) -> bool:
+            return self._compile(unit, into, sources, entry, flags)
+
         with ThreadPoolExecutor(_PARALLEL) as pool:
-            results = list(pool.map(lambda pair: self._compile(*pair, sources, entry, flags), pairs))
+            results = list(pool.map(compile_one, units, objects))
         if not all(results):
             return self._report(self._errors)
         return self._link(objects, flags)
