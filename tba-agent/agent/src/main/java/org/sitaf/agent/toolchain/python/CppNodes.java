@@ -4,9 +4,12 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -207,10 +210,31 @@ final class CppNodes {
         throw new IOException(
             "the runtime of C++ nodes does not compile here: " + end.output() + end.errors());
       }
-      Files.move(fresh, built);
+      keep(fresh, built);
       return built;
     } finally {
       lock.unlock();
+    }
+  }
+
+  /** Copies what the compiler left, so that it belongs to the agent, not to a user of the sandbox. */
+  private void keep(Path fresh, Path built) throws IOException {
+    Path copy = Files.createTempDirectory(cache, "copy-");
+    Files.setPosixFilePermissions(copy, PosixFilePermissions.fromString("rwxr-xr-x"));
+    List<Path> files;
+    try (Stream<Path> all = Files.walk(fresh)) {
+      files = all.filter(f -> Files.isRegularFile(f, LinkOption.NOFOLLOW_LINKS)).toList();
+    }
+    for (Path file : files) {
+      Path target = copy.resolve(fresh.relativize(file).toString());
+      Files.createDirectories(Objects.requireNonNull(target.getParent()));
+      Files.write(target, Files.readAllBytes(file));
+    }
+    Files.move(copy, built);
+    try (Stream<Path> all = Files.walk(fresh)) {
+      for (Path left : all.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(left);
+      }
     }
   }
 
