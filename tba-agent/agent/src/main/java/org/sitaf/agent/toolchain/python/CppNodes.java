@@ -217,7 +217,9 @@ final class CppNodes {
     }
   }
 
-  /** Copies what the compiler left, so that it belongs to the agent, not to a user of the sandbox. */
+  /**
+   * Copies what the compiler left, so that it belongs to the agent, not to a user of the sandbox.
+   */
   private void keep(Path fresh, Path built) throws IOException {
     Path copy = Files.createTempDirectory(cache, "copy-");
     Files.setPosixFilePermissions(copy, PosixFilePermissions.fromString("rwxr-xr-x"));
