@@ -122,6 +122,14 @@ def sets_parameters(case):
     assert [v.double_value for v in got.response.values] == [2.5, 4.0]
 
 
+def watches_parameters(case):
+    case.run(1)
+    new = {"parameters": [{"name": "an_int_param", "value": {"type": 2, "integer_value": 21}}]}
+    case.system.call_service("/this_node/set_parameters", "rcl_interfaces/srv/SetParameters", new)
+    case.run(2)
+    assert 'cb1: Received an update to parameter "an_int_param" of type integer: "21"' in case.texts, case.texts
+
+
 CLIENT, SERVER = f"{EXAMPLE}/actions/minimal_action_client", f"{EXAMPLE}/actions/minimal_action_server"
 PUBLISHER, SUBSCRIBER = f"{EXAMPLE}/topics/minimal_publisher", f"{EXAMPLE}/topics/minimal_subscriber"
 HALVES = [0.5, 1, 1.5, 2]
@@ -174,7 +182,7 @@ NODES = {
     f"{DEMO}:{COMPONENT}ParameterBlackboard": logs("Parameter blackboard node named"),
     f"{DEMO}:src/parameters/parameter_events.cpp": logs("Parameter event:"),
     f"{DEMO}:{COMPONENT}ParameterEventsAsyncNode": logs("Parameter event:"),
-    f"{DEMO}:src/parameters/parameter_event_handler.cpp": logs("Received an update to parameter"),
+    f"{DEMO}:src/parameters/parameter_event_handler.cpp": watches_parameters,
     f"{DEMO}:src/events/matched_event_detect.cpp": logs("First subscription is connected", seconds=100),
     "demos/action_tutorials/action_tutorials_cpp:action_tutorials_cpp::FibonacciActionServer": executes(),
     "demos/action_tutorials/action_tutorials_cpp:action_tutorials_cpp::FibonacciActionClient": asks_for_goal(
