@@ -2,6 +2,7 @@ package org.sitaf.cli;
 
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import org.sitaf.cli.bisect.BisectCommand;
 import org.sitaf.cli.campaign.CampaignCommand;
 import org.sitaf.cli.compare.CompareCommand;
 import org.sitaf.cli.describe.DescribeCommand;
@@ -33,6 +34,7 @@ import picocli.CommandLine.ExitCode;
       FalsifyCommand.class,
       CampaignCommand.class,
       CompareCommand.class,
+      BisectCommand.class,
       ExplainCommand.class,
       ReplayCommand.class,
       ScoreCommand.class,

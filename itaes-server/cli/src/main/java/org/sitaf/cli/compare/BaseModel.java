@@ -23,13 +23,14 @@ import org.sitaf.core.model.document.TestModelXml;
  *     too
  * @param notComparable what the base version lacks
  */
-record BaseModel(@Nullable TestModel model, boolean judged, List<NotComparable> notComparable) {
-  BaseModel {
+public record BaseModel(
+    @Nullable TestModel model, boolean judged, List<NotComparable> notComparable) {
+  public BaseModel {
     notComparable = List.copyOf(notComparable);
   }
 
   /** The part of a model that the base version has. */
-  static BaseModel of(Activity base, Activity now, TestModel model) {
+  public static BaseModel of(Activity base, Activity now, TestModel model) {
     TestModel read =
         TestModelXml.read(now.files().open(model.source()).orElseThrow(), model.source());
     TestModel whole = base.resolve(read);

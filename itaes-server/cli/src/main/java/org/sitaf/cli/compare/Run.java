@@ -13,19 +13,19 @@ import org.sitaf.core.verdict.TestResult;
  * @param result null if the version could not be run
  * @param problem why it could not be run; empty otherwise
  */
-record Run(
+public record Run(
     @Nullable TestResult result,
     Map<Integer, CaseRecord> records,
     Map<Integer, CaseResult> results,
     SignalFiles signals,
     String problem) {
-  Run {
+  public Run {
     records = Map.copyOf(records);
     results = Map.copyOf(results);
   }
 
   /** The execution of a case. */
-  CaseRun of(int no) {
+  public CaseRun of(int no) {
     CaseResult judged = results.get(no);
     if (judged == null) {
       throw new IllegalArgumentException("the run has no case " + no);

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.trajectory.Trace;
 
 /** The signals of the cases of one run, in compressed files: those of all cases fill the memory. */
-record SignalFiles(Path folder) {
+public record SignalFiles(Path folder) {
   private static final int BUFFER = 1 << 16;
 
   void write(int no, Trace trace) {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.UserFiles;
+import org.sitaf.cli.git.GitFolder;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
@@ -21,13 +22,13 @@ import org.sitaf.core.diagnostic.InvalidInputException;
  * @param label {@code BASE} or {@code NEW}
  * @param activity as its documents say
  */
-record Version(String label, Activity activity) {
+public record Version(String label, Activity activity) {
   /**
    * Reads an activity folder, its ZIP archive, or {@code FOLDER@REVISION}.
    *
    * @throws InvalidInputException with all problems, which name the version
    */
-  static Version read(String label, String argument) throws IOException {
+  public static Version read(String label, String argument) throws IOException {
     return of(label, files(argument));
   }
 

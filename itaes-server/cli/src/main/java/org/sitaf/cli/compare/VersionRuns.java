@@ -18,13 +18,13 @@ import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 
 /** Runs the cases of one model with one version, each time in new processes. */
-final class VersionRuns {
+public final class VersionRuns {
   private final LocalBuilds builds;
   private final Version version;
   private final TestModel model;
   private int count;
 
-  VersionRuns(LocalBuilds builds, Version version, TestModel model) {
+  public VersionRuns(LocalBuilds builds, Version version, TestModel model) {
     this.builds = builds;
     this.version = version;
     this.model = model;
@@ -36,7 +36,7 @@ final class VersionRuns {
   }
 
   /** Runs cases without repeated calls. */
-  Run once(TestSuite suite, int variation) throws IOException, InterruptedException {
+  public Run once(TestSuite suite, int variation) throws IOException, InterruptedException {
     return run(version.activity().withoutTiming(), model.withoutTiming(), suite, variation, false);
   }
 
@@ -56,7 +56,7 @@ final class VersionRuns {
   }
 
   /** Deletes the signals of a run. */
-  static void delete(Run run) throws IOException {
+  public static void delete(Run run) throws IOException {
     Folders.delete(run.signals().folder());
   }
 

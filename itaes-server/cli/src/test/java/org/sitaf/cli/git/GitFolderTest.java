@@ -1,4 +1,4 @@
-package org.sitaf.cli.compare;
+package org.sitaf.cli.git;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
