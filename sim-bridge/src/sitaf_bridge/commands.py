@@ -1,4 +1,4 @@
-"""The command line: `serve` and `describe`."""
+"""The command line: `serve`, `describe` and `propose`."""
 
 import argparse
 import gc
@@ -16,6 +16,7 @@ from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.description.source import DESCRIPTION_SUFFIX, read_world
 from sitaf_bridge.world.devices import KINDS
 from sitaf_bridge.world.engine import DEVICE_KINDS, ENGINE, ENGINE_VERSION
+from sitaf_bridge.world.proposal.world_proposal import propose as propose_world
 from sitaf_bridge.world.world import World
 
 # Exit codes.
@@ -29,6 +30,8 @@ MAX_SHOWN = 16
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; returns the exit code."""
     options = _parser().parse_args(arguments)
+    if options.command == "propose":
+        return _propose(options.robot, options.into)
     return _serve(options) if options.command == "serve" else _describe(options.world)
 
 
@@ -77,7 +80,24 @@ def _parser() -> argparse.ArgumentParser:
     )
     describe = commands.add_parser("describe", help="print the content of a world, or its errors")
     describe.add_argument("world", type=Path, metavar="WORLD.world.yaml")
+    propose = commands.add_parser("propose", help="write a world with guessed devices for a URDF, xacro or MJCF file")
+    propose.add_argument("robot", type=Path, metavar="ROBOT")
+    propose.add_argument("--into", type=Path, required=True, metavar="FOLDER", help="a folder that does not exist")
     return parser
+
+
+def _propose(robot: Path, into: Path) -> int:
+    try:
+        proposed = propose_world(robot)
+        into.mkdir(parents=True)
+        for path, content in proposed.files.items():
+            (into / path).parent.mkdir(parents=True, exist_ok=True)
+            (into / path).write_bytes(content)
+    except (BridgeError, OSError) as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT
+    print(proposed.description)
+    return OK
 
 
 def _serve(options: argparse.Namespace) -> int:

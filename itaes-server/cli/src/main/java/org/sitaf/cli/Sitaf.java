@@ -2,6 +2,7 @@ package org.sitaf.cli;
 
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import org.sitaf.cli.begin.NewCommand;
 import org.sitaf.cli.bisect.BisectCommand;
 import org.sitaf.cli.campaign.CampaignCommand;
 import org.sitaf.cli.compare.CompareCommand;
@@ -27,6 +28,7 @@ import picocli.CommandLine.ExitCode;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     subcommands = {
+      NewCommand.class,
       GenerateCommand.class,
       DescribeCommand.class,
       HarnessCommand.class,

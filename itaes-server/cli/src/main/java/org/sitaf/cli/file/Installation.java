@@ -63,7 +63,7 @@ public record Installation(Path home) {
   }
 
   /** The interface files of ROS 2, by package. */
-  private Path rosInterfaces() {
+  public Path rosInterfaces() {
     return state().resolve("ros2").resolve("jazzy");
   }
 

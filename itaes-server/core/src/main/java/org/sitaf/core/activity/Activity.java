@@ -79,7 +79,17 @@ public record Activity(
    * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
    */
   public static Activity readWithoutComponent(FileTree files) {
-    return new ActivityReader(files, NO_PACKAGES).readWithoutComponent();
+    return readWithoutComponent(files, NO_PACKAGES);
+  }
+
+  /**
+   * Reads and verifies an activity whose component or adapter may not exist yet.
+   *
+   * @param packages as in {@link #read(FileTree, FileTree)}
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
+   */
+  public static Activity readWithoutComponent(FileTree files, FileTree packages) {
+    return new ActivityReader(files, packages).readWithoutComponent();
   }
 
   /**

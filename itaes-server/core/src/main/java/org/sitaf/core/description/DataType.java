@@ -19,6 +19,11 @@ public sealed interface DataType {
     return this instanceof Scalar scalar && scalar.type() == ScalarType.VOID;
   }
 
+  /** Whether it, or a type that it contains, is not defined. */
+  default boolean holdsUnknown() {
+    return this instanceof Unknown || parts().stream().anyMatch(DataType::holdsUnknown);
+  }
+
   /** The type of a member; {@link Unknown} if there is no such member. */
   default DataType member(String name) {
     return new Unknown("");

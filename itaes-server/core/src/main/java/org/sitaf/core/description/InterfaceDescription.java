@@ -3,6 +3,7 @@ package org.sitaf.core.description;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Predicate;
 
 /**
  * An interface of a component (paper, Fig. 3).
@@ -29,6 +30,11 @@ public record InterfaceDescription(
   /** A copy with constants. */
   public InterfaceDescription withConstants(Map<String, Object> declared) {
     return new InterfaceDescription(name, methods, source, declared);
+  }
+
+  /** A copy with the methods that fit. */
+  public InterfaceDescription withMethods(Predicate<Method> fit) {
+    return new InterfaceDescription(name, methods.stream().filter(fit).toList(), source, constants);
   }
 
   /** All overloads of a method. */

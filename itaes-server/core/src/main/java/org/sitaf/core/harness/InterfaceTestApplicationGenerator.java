@@ -113,16 +113,36 @@ public final class InterfaceTestApplicationGenerator {
           "component.adapter is missing; set it to a folder, such as adapter: adapter/, and set"
               + " class: to the class of the adapter");
     }
+    return skeleton(activity, "adapter", component.adapter());
+  }
+
+  /**
+   * Generates the skeleton of a component that implements the interfaces itself: a class whose
+   * methods return zero values until the user writes them.
+   *
+   * @return the sources by path in the activity
+   * @throws InvalidInputException if the language cannot express the interfaces
+   */
+  public static FileTree component(Activity activity) {
+    Component component = activity.profile().component();
+    if (component.sources() == null || component.adapter() != null) {
+      throw new IllegalArgumentException("the component needs sources, and no adapter");
+    }
+    return skeleton(activity, "sources", component.sources());
+  }
+
+  private static FileTree skeleton(Activity activity, String key, String folder) {
     Diagnostics diagnostics = new Diagnostics();
     HarnessPlan.Adapter plan = HarnessPlanner.adapter(activity, diagnostics);
     diagnostics.throwIfErrors();
-    FileTree sources = writer(component.language(), activity).adapter(plan, diagnostics);
+    FileTree sources =
+        writer(activity.profile().component().language(), activity).adapter(plan, diagnostics);
     diagnostics.throwIfErrors();
     try {
-      return FileTree.of(Map.of()).with(component.adapter(), sources);
+      return FileTree.of(Map.of()).with(folder, sources);
     } catch (IllegalArgumentException e) {
       throw InvalidInputException.of(
-          HarnessPlanner.PROFILE, "component.adapter: " + e.getMessage());
+          HarnessPlanner.PROFILE, "component." + key + ": " + e.getMessage());
     }
   }
 

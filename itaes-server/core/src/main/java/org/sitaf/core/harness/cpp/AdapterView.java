@@ -25,6 +25,8 @@ record AdapterView(
     String constructor,
     List<String> declarations,
     List<String> fields,
+    boolean answers,
+    boolean hasPrivate,
     String constructorBody,
     List<String> definitions) {
 
@@ -37,15 +39,17 @@ record AdapterView(
     List<String> declarations = new ArrayList<>();
     List<String> definitions = new ArrayList<>();
     for (InterfaceDescription provided : plan.provided()) {
-      includes.own("sitaf/interfaces/" + provided.name() + ".hpp");
+      if (!plan.answers()) {
+        includes.own("sitaf/interfaces/" + provided.name() + ".hpp");
+      }
       for (Method method : provided.methods()) {
         types.add(method.returnType());
         method.parameters().forEach(p -> types.add(p.type()));
         method.raises().forEach(e -> includes.own("sitaf/interfaces/" + e + ".hpp"));
         // A method of several interfaces is implemented once.
         if (written.add(method.name() + "(" + method.signature())) {
-          declarations.add(head(2, "", method, ") override;"));
-          definitions.add(definition(name, method));
+          declarations.add(head(2, "", method, plan.answers() ? ");" : ") override;"));
+          definitions.add(definition(name, method, plan.answers()));
         }
       }
     }
@@ -73,12 +77,17 @@ record AdapterView(
         colon < 0 ? "" : plan.className().substring(0, colon),
         includes.types(types).lines(),
         name,
-        plan.provided().stream()
-            .map(p -> "public sitaf::interfaces::" + p.name())
-            .collect(Collectors.joining(", ")),
+        plan.answers()
+            ? ""
+            : " : "
+                + plan.provided().stream()
+                    .map(p -> "public sitaf::interfaces::" + p.name())
+                    .collect(Collectors.joining(", ")),
         CppText.list(2, explicit + name + "(", parameters, ");"),
         declarations,
         fields,
+        plan.answers(),
+        !fields.isEmpty() || !plan.answers(),
         CppText.list(0, name + "::" + name + "(", parameters, ")")
             + (initialisers.isEmpty() ? "" : "\n    : " + String.join(", ", initialisers))
             + " {",
@@ -101,13 +110,21 @@ record AdapterView(
         tail);
   }
 
-  private static String definition(String name, Method method) {
+  private static String definition(String name, Method method, boolean answers) {
     String errors =
         method.raises().isEmpty()
             ? ""
             : "\n  // May throw exceptions of sitaf::interfaces: "
                 + String.join(", ", method.raises())
                 + ".";
+    if (answers) {
+      return head(0, name + "::", method, ") {")
+          + "\n  // Write the method here."
+          + errors
+          + unused(method)
+          + (method.returnType().isVoid() ? "" : "\n  return {};")
+          + "\n}";
+    }
     return head(0, name + "::", method, ") {")
         + "\n  // Delegate the call to the component"
         + (method.returnType().isVoid() ? "." : " and return its result.")
@@ -115,5 +132,13 @@ record AdapterView(
         + "\n  throw std::logic_error("
         + CppText.string(method.name() + " is not implemented yet")
         + ");\n}";
+  }
+
+  /** Keeps the compiler from warning about parameters that the skeleton does not use. */
+  private static String unused(Method method) {
+    CppNames names = new CppNames();
+    return method.parameters().stream()
+        .map(p -> "\n  static_cast<void>(" + names.local(p.name()) + ");")
+        .collect(Collectors.joining());
   }
 }

@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sitaf.core.description.Direction;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.java.plan.JavaPlan.Interface;
 import org.sitaf.core.harness.java.plan.JavaPlan.JavaParameter;
@@ -39,13 +40,15 @@ record AdapterView(
     List<String> methods = new ArrayList<>();
     Set<String> written = new HashSet<>();
     for (Interface provided : interfaces) {
-      imports.add(JavaType.INTERFACES + "." + provided.name());
+      if (!plan.answers()) {
+        imports.add(JavaType.INTERFACES + "." + provided.name());
+      }
       for (Signature method : provided.methods()) {
         InterfaceView.addTypes(method, imports);
         method.errors().forEach(e -> imports.add(JavaType.INTERFACES + "." + e));
         // A method of several interfaces is implemented once.
         if (written.add(method.name() + method.parameters().stream().map(p -> p.type()).toList())) {
-          methods.add(method(method));
+          methods.add(method(method, plan.answers()));
         }
       }
     }
@@ -58,9 +61,15 @@ record AdapterView(
             dot < 0 ? "" : plan.className().substring(0, dot),
             imports,
             JavaText.javadoc(
-                0, List.of("Binds the component to the interfaces of its test."), List.of()),
+                0,
+                List.of(
+                    plan.answers()
+                        ? "The component under test. Its methods return zero values until they are"
+                            + " written."
+                        : "Binds the component to the interfaces of its test."),
+                List.of()),
             name,
-            String.join(", ", interfaceNames),
+            plan.answers() ? "" : " implements " + String.join(", ", interfaceNames),
             constructor(name, plan),
             methods)
         .withoutImportOf(name);
@@ -97,7 +106,7 @@ record AdapterView(
       parameters.add(required + " " + JavaPlanner.local(required));
     }
     return JavaText.declaration(2, "public " + name, parameters, false, " {")
-        + "\n    // Create the component here and store it in a field."
+        + (plan.answers() ? "" : "\n    // Create the component here and store it in a field.")
         + (plan.hardware() ? "\n    // The hardware gives access to the simulated devices." : "")
         + (plan.required().isEmpty()
             ? ""
@@ -105,22 +114,40 @@ record AdapterView(
         + "\n  }";
   }
 
-  private static String method(Signature method) {
+  private static String method(Signature method, boolean answers) {
     String errors =
         method.errors().isEmpty() ? "" : " throws " + String.join(", ", method.errors());
-    boolean outs = method.parameters().stream().anyMatch(p -> p.declaration().startsWith("Out<"));
-    return "  @Override\n"
+    return (answers ? "" : "  @Override\n")
         + JavaText.declaration(
             2,
             "public " + method.returnName() + " " + method.name(),
             method.parameters().stream().map(JavaParameter::declaration).toList(),
             false,
             errors + " {")
-        + "\n    // Delegate the call to the component"
+        + (answers ? zeros(method) : notWritten(method))
+        + "\n  }";
+  }
+
+  private static String zeros(Signature method) {
+    StringBuilder body = new StringBuilder("\n    // Write the method here.");
+    for (JavaParameter parameter : method.parameters()) {
+      if (parameter.direction() == Direction.OUT) {
+        body.append("\n    " + parameter.local() + ".set(" + parameter.type().zero() + ");");
+      }
+    }
+    if (method.returns() != null) {
+      body.append("\n    return " + method.returns().zero() + ";");
+    }
+    return body.toString();
+  }
+
+  private static String notWritten(Signature method) {
+    boolean outs = method.parameters().stream().anyMatch(p -> p.declaration().startsWith("Out<"));
+    return "\n    // Delegate the call to the component"
         + (method.returns() == null ? "" : " and return its result")
         + (outs ? ".\n    // Set out-parameters by set()." : ".")
         + "\n    throw new UnsupportedOperationException("
         + JavaText.string(method.name() + " is not implemented yet")
-        + ");\n  }";
+        + ");";
   }
 }

@@ -282,12 +282,15 @@ public record HarnessPlan(
    * @param provided interfaces that the adapter implements
    * @param required names of interfaces that are passed to the adapter
    * @param hardware whether the devices of the world are passed to the adapter
+   * @param answers whether the methods return zero values until they are written, as the skeleton
+   *     of a component does; those of an adapter fail
    */
   public record Adapter(
       String className,
       List<InterfaceDescription> provided,
       List<String> required,
-      boolean hardware) {
+      boolean hardware,
+      boolean answers) {
     public Adapter {
       Objects.requireNonNull(className);
       provided = List.copyOf(provided);

@@ -63,13 +63,18 @@ public final class HarnessPlanner {
   }
 
   /**
-   * Plans the adapter of a component.
+   * Plans the adapter of a component, or the skeleton of a component without an adapter.
    *
    * @param diagnostics receives problems
    */
   public static HarnessPlan.Adapter adapter(Activity activity, Diagnostics diagnostics) {
+    boolean answers = activity.profile().component().adapter() == null;
+    // A component without an adapter need not have the methods that cannot be tested.
     List<InterfaceDescription> provided =
-        new DeclaredExceptions(diagnostics).withSimpleNames(activity.provided());
+        new DeclaredExceptions(diagnostics)
+            .withSimpleNames(activity.provided()).stream()
+                .map(i -> answers ? i.withMethods(m -> !holdsUnknown(m)) : i)
+                .toList();
     DeclaredTypes types = new DeclaredTypes(diagnostics);
     for (InterfaceDescription description : provided) {
       for (Method method : description.methods()) {
@@ -86,7 +91,8 @@ public final class HarnessPlanner {
         activity.profile().component().className(),
         provided,
         activity.required().stream().map(InterfaceDescription::name).toList(),
-        activity.world() != null);
+        activity.world() != null,
+        answers);
   }
 
   private HarnessPlan plan() {

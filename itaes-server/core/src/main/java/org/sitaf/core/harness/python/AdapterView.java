@@ -14,6 +14,7 @@ import org.sitaf.core.harness.python.PythonPlan.StubMethod;
 /** The view of an adapter skeleton. */
 record AdapterView(
     String module,
+    boolean answers,
     boolean hasImports,
     String imports,
     String name,
@@ -37,7 +38,7 @@ record AdapterView(
         method.parameters().forEach(p -> PythonType.importHint(p.type(), imports));
         Method other = written.putIfAbsent(method.name(), method);
         if (other == null) {
-          methods.add(method(method));
+          methods.add(method(method, plan.answers()));
         } else if (!other.signature().equals(method.signature())) {
           diagnostics.error(
               provided.source(),
@@ -49,6 +50,7 @@ record AdapterView(
     }
     return new AdapterView(
         dot < 0 ? "" : plan.className().substring(0, dot),
+        plan.answers(),
         !imports.isEmpty(),
         imports.text(),
         plan.className().substring(dot + 1),
@@ -59,7 +61,9 @@ record AdapterView(
   private static String constructor(HarnessPlan.Adapter plan) {
     List<String> parameters = new ArrayList<>(List.of("self"));
     List<String> body = new ArrayList<>();
-    body.add("# Create the component here and store it in an attribute.");
+    if (!plan.answers()) {
+      body.add("# Create the component here and store it in an attribute.");
+    }
     if (plan.hardware()) {
       parameters.add("hardware: Hardware");
       body.add("# The hardware gives access to the simulated devices.");
@@ -74,14 +78,14 @@ record AdapterView(
       parameters.add(local + ": " + required);
       body.add("self._" + local + " = " + local);
     }
-    if (body.size() == 1) {
+    if (body.stream().allMatch(line -> line.startsWith("#"))) {
       body.add("pass");
     }
     String head = new PythonText.Group("def __init__(", parameters, ") -> None:").at(4);
     return head + "\n        " + String.join("\n        ", body);
   }
 
-  private static String method(Method method) {
+  private static String method(Method method, boolean zeros) {
     PythonNames scope = new PythonNames();
     StubMethod planned =
         new StubMethod(
@@ -100,6 +104,13 @@ record AdapterView(
             : "\n        # May raise exceptions of sitaf_interfaces: "
                 + String.join(", ", method.raises())
                 + ".";
+    if (zeros) {
+      return TestStubView.declaration(planned)
+          + "\n        # Write the method here."
+          + errors
+          + "\n        "
+          + zeros(method);
+    }
     return TestStubView.declaration(planned)
         + "\n        # Delegate the call to the component"
         + (answers ? " and return its result." : ".")
@@ -110,5 +121,16 @@ record AdapterView(
                 ")",
                 PythonText.string(method.name() + " is not implemented yet"))
             .at(8);
+  }
+
+  private static String zeros(Method method) {
+    List<String> parts = new ArrayList<>();
+    if (!method.returnType().isVoid()) {
+      parts.add(PythonType.zero(method.returnType()));
+    }
+    method.parameters().stream()
+        .filter(p -> p.direction() != Direction.IN)
+        .forEach(p -> parts.add(PythonType.zero(p.type())));
+    return parts.isEmpty() ? "pass" : "return " + String.join(", ", parts);
   }
 }

@@ -33,6 +33,30 @@ final class PythonType {
     return HarnessPlan.simpleName(type);
   }
 
+  /** The zero value as an expression. */
+  static String zero(DataType type) {
+    if (type instanceof DataType.Scalar scalar) {
+      return switch (scalar.type()) {
+        case VOID -> "None";
+        case BOOLEAN -> "False";
+        case CHAR -> "\"\\0\"";
+        case STRING -> "\"\"";
+        case FLOAT, DOUBLE -> "0.0";
+        default -> "0";
+      };
+    }
+    if (type instanceof DataType.Sequence) {
+      return "[]";
+    }
+    if (type instanceof DataType.FixedArray array) {
+      return "[" + zero(array.element()) + " for _ in range(" + array.length() + ")]";
+    }
+    if (type instanceof DataType.Enumeration enumeration) {
+      return HarnessPlan.simpleName(type) + "." + enumeration.literals().get(0);
+    }
+    return HarnessPlan.simpleName(type) + "()";
+  }
+
   /** The runtime's kind of a type, which reads and compares its values. */
   static String kind(DataType type) {
     if (type instanceof DataType.Scalar scalar) {

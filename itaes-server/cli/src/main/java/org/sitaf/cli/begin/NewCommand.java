@@ -1,0 +1,221 @@
+package org.sitaf.cli.begin;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.cli.file.Installation;
+import org.sitaf.cli.file.UserFiles;
+import org.sitaf.cli.terminal.Printable;
+import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.beginning.NewActivity;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Begins an activity that runs at once. */
+@Command(
+    name = "new",
+    description =
+        "Writes a complete activity into a new folder: the interface, a test model for each method"
+            + " with guessed ranges, the skeleton of a component, and a world with the devices of a"
+            + " robot. It runs at once; comments mark what you decide. On a terminal it asks for"
+            + " what the options do not say. Exit code 2: an input is invalid; nothing was"
+            + " written.",
+    mixinStandardHelpOptions = true)
+public final class NewCommand implements Callable<Integer> {
+  @Spec private @Nullable CommandSpec spec;
+
+  @Parameters(paramLabel = "FOLDER", description = "A folder that is empty or does not exist.")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--interface",
+      paramLabel = "FILE",
+      description =
+          "The interface of the component: OPRoS (.xml), .idl, .srv, .action or .proto, or one of"
+              + " ROS 2 such as nav2_msgs/action/Spin.action. Default: a small one to change.")
+  private @Nullable Path interfaceFile;
+
+  @Option(
+      names = "--language",
+      paramLabel = "LANGUAGE",
+      description = "Language of the component: ${COMPLETION-CANDIDATES}. Default: python.")
+  private @Nullable Language language;
+
+  @Option(
+      names = "--class",
+      paramLabel = "NAME",
+      description = "Class of the component: package.Class, namespace::Class or module.Class.")
+  private @Nullable String className;
+
+  @Option(
+      names = "--robot",
+      paramLabel = "FILE",
+      description =
+          "A URDF, xacro or MJCF file: the activity gets a world with a device for each joint and"
+              + " sensor.")
+  private @Nullable Path robot;
+
+  @Option(
+      names = "--from",
+      paramLabel = "EXAMPLE",
+      description = "Copies an example of SITAF instead, such as ir-sensor.")
+  private @Nullable String example;
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    requireEmpty(folder);
+    FileTree files = example == null ? proposed(out) : copied(example);
+    write(files);
+    summarise(files, out);
+    out.flush();
+    return 0;
+  }
+
+  private FileTree proposed(PrintWriter out) throws IOException, InterruptedException {
+    Installation installation = Installation.current();
+    Questions questions = new Questions(System.console(), out);
+    if (interfaceFile == null) {
+      interfaceFile =
+          questions
+              .ask("Interface file (.idl, .srv, .action, .proto, .xml)", "a small one to change")
+              .map(Path::of)
+              .orElse(null);
+    }
+    Path ros = installation.rosInterfaces();
+    FileTree installed = Files.isDirectory(ros) ? UserFiles.folder(ros) : FileTree.of(Map.of());
+    InterfaceChoice chosen =
+        interfaceFile == null
+            ? InterfaceChoice.own()
+            : InterfaceChoice.of(interfaceFile, installed);
+    if (language == null) {
+      language =
+          questions
+              .ask("Language (java, cpp, python)", "python")
+              .map(NewCommand::language)
+              .orElse(Language.PYTHON);
+    }
+    if (robot == null) {
+      robot = questions.ask("Robot (URDF, xacro or MJCF)", "none").map(Path::of).orElse(null);
+    }
+    FileTree files = chosen.files();
+    String world = null;
+    if (robot != null) {
+      RobotWorld proposed = RobotWorld.of(robot, installation);
+      files = files.with("", proposed.files());
+      world = proposed.path();
+    }
+    return new NewActivity(
+            name(),
+            Objects.requireNonNull(language),
+            className,
+            List.of(chosen.path()),
+            chosen.provided(),
+            files,
+            installed,
+            world)
+        .propose();
+  }
+
+  private static Language language(String name) {
+    try {
+      return Language.valueOf(name.toUpperCase(Locale.ROOT));
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of("--language " + name, "is not one of java, cpp and python");
+    }
+  }
+
+  /** The name of the folder, in the characters of names. */
+  private String name() {
+    String last = String.valueOf(folder.toAbsolutePath().normalize().getFileName());
+    String plain = last.replaceAll("[^A-Za-z0-9_-]+", "-").replaceAll("^-+|-+$", "");
+    return plain.isEmpty() ? "activity" : plain;
+  }
+
+  private FileTree copied(String name) throws IOException {
+    if (interfaceFile != null || robot != null || className != null || language != null) {
+      throw InvalidInputException.of(
+          "--from " + name, "copies an example as it is; remove the other options");
+    }
+    Path examples = Installation.current().example("");
+    Path wanted = examples.resolve(name).normalize();
+    if (!examples.normalize().equals(wanted.getParent())
+        || !Files.exists(wanted.resolve("activity.yaml"))) {
+      throw InvalidInputException.of(
+          "--from " + name, "is not an example; examples: " + String.join(", ", names(examples)));
+    }
+    return UserFiles.folder(wanted);
+  }
+
+  private static List<String> names(Path examples) throws IOException {
+    try (Stream<Path> all = Files.list(examples)) {
+      return all.filter(path -> Files.exists(path.resolve("activity.yaml")))
+          .map(path -> String.valueOf(path.getFileName()))
+          .sorted()
+          .toList();
+    }
+  }
+
+  private static void requireEmpty(Path folder) throws IOException {
+    if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
+      return;
+    }
+    if (!Files.isDirectory(folder)) {
+      throw InvalidInputException.of(folder.toString(), "is a file; name a new folder");
+    }
+    try (Stream<Path> content = Files.list(folder)) {
+      if (content.findAny().isPresent()) {
+        throw InvalidInputException.of(
+            folder.toString(), "is not empty, and nothing was changed; name a new folder");
+      }
+    }
+  }
+
+  private void write(FileTree files) throws IOException {
+    for (String path : files.paths()) {
+      Path file = folder.resolve(path);
+      Files.createDirectories(Objects.requireNonNull(file.getParent()));
+      try {
+        Files.write(
+            file,
+            files.content(path).orElseThrow(),
+            StandardOpenOption.CREATE_NEW,
+            StandardOpenOption.WRITE);
+      } catch (FileAlreadyExistsException e) {
+        throw InvalidInputException.of(file.toString(), "exists and is not overwritten");
+      }
+    }
+  }
+
+  private void summarise(FileTree files, PrintWriter out) {
+    files.paths().stream()
+        .filter(path -> !path.startsWith("world/") || path.endsWith(".world.yaml"))
+        .forEach(path -> out.println(Printable.line("  " + folder.resolve(path))));
+    out.println();
+    out.println("Next:");
+    out.println(Printable.line("  ./sitaf run " + folder));
+    if (example == null) {
+      out.println("  write the component: component/");
+      out.println("  decide the ranges and what is expected: the *.xml models");
+      if (files.paths().stream().anyMatch(path -> path.endsWith(".world.yaml"))) {
+        out.println("  check the devices: world/*.world.yaml");
+      }
+    }
+  }
+}
