@@ -55,7 +55,7 @@ final class ModelProposal {
     }
     outputs();
     line(2, "<order_of_combinations>" + (inputs.count() < 2 ? 1 : 2) + "</order_of_combinations>");
-    if (inputs.count() > 3) {
+    if (inputs.count() > 1) {
       line(2, "<max_cases>" + Math.max(MAX_CASES, inputs.cases()) + "</max_cases>");
     }
     line(0, "</test_model>");
