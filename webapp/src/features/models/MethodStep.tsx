@@ -1,4 +1,4 @@
-import { Group, Radio, Stack, Text, TextInput } from '@mantine/core';
+import { Alert, Code, Group, Radio, Stack, Text, TextInput } from '@mantine/core';
 import { UserText } from '@/shared/ui';
 import type { Description } from './defaults';
 import type { ModelDraft } from './draft';
@@ -25,6 +25,19 @@ export function MethodStep({ description, draft, isNew, onChange, onMethod }: Me
       )
       .map((method) => keyOf(name, method.name, method.signature)),
   )[0];
+  if (draft.sequence !== '') {
+    return (
+      <Alert variant="outline" title="This model describes sequences of calls">
+        <Stack gap="sm">
+          <Text size="sm">
+            States, calls and events are edited in the XML document. They are shown here and kept
+            when you save.
+          </Text>
+          <Code block>{draft.sequence}</Code>
+        </Stack>
+      </Alert>
+    );
+  }
   return (
     <Stack gap="lg">
       <Radio.Group

@@ -220,6 +220,7 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     order: '2',
     maxCases: '',
     timing: null,
+    sequence: '',
     strengths: [],
     others: [],
   };

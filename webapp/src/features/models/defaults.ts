@@ -228,6 +228,7 @@ export function draftFor(
     order: '2',
     maxCases: '',
     timing: null,
+    sequence: '',
     strengths: [],
     others: [],
   };

@@ -23,6 +23,8 @@ export interface ModelDraft {
   maxCases: string;
   /** Repeated calls of each case; null if the model does not say. */
   timing: { warmUp: string; repeat: string } | null;
+  /** The specification of sequences, as XML; empty if a case is one call. */
+  sequence: string;
   /** Mixed strengths, as XML; the editor does not show them. */
   strengths: string[];
   /** Kept cases, as XML; the editor does not show them. */

@@ -32,12 +32,13 @@ export function readModel(xml: string): ModelDraft {
   const root = new DOMParser().parseFromString(xml, 'application/xml').documentElement;
   if (root.tagName !== 'test_model') throw new Error('The document is not a test model.');
   const target = child(root, 'target');
+  const sequence = child(root, 'sequence_spec');
   return {
     name: textOf(root, 'name'),
     description: textOf(root, 'description'),
     target: {
       interface: target?.getAttribute('interface') ?? '',
-      method: target?.getAttribute('method') ?? (target ? '' : textOf(root, 'name')),
+      method: target?.getAttribute('method') ?? (target || sequence ? '' : textOf(root, 'name')),
       signature: target?.getAttribute('signature') ?? '',
       settle: target?.getAttribute('settle') ?? '',
       runFor: target?.getAttribute('run_for') ?? '',
@@ -64,6 +65,7 @@ export function readModel(xml: string): ModelDraft {
     order: textOf(root, 'order_of_combinations'),
     maxCases: textOf(root, 'max_cases'),
     timing: readTiming(child(root, 'timing')),
+    sequence: sequence ? serialized(sequence) : '',
     strengths: children(root, 'strength').map(serialized),
     others: children(root, 'case_list').map(serialized),
   };
@@ -173,6 +175,7 @@ export function writeModel(draft: ModelDraft): string {
     ...(draft.outputs.length > 0
       ? ['  <output_spec_list>', ...draft.outputs.flatMap(writeOutput), '  </output_spec_list>']
       : []),
+    ...(draft.sequence ? [`  ${draft.sequence}`] : []),
     ...list('post_condition_spec_list', 'post_condition', draft.postConditions),
     ...writeTrajectoryConditions(draft),
     ...writeRelations(draft),
