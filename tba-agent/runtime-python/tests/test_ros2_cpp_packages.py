@@ -185,9 +185,9 @@ NODES = {
     ),
     "demos/lifecycle:src/lifecycle_talker.cpp": changes_states,
     "demos/lifecycle:src/lifecycle_listener.cpp": listens("/lifecycle_chatter", "hello"),
-    "demos/dummy_robot/dummy_sensors:src/dummy_laser.cpp": publishes("/scan", "sensor_msgs/msg/LaserScan", 30, 1.01),
+    "demos/dummy_robot/dummy_sensors:src/dummy_laser.cpp": publishes("/scan", "sensor_msgs/msg/LaserScan", 31, 1.01),
     "demos/dummy_robot/dummy_sensors:src/dummy_joint_states.cpp": publishes(
-        "/joint_states", "sensor_msgs/msg/JointState", 50, 1.01
+        "/joint_states", "sensor_msgs/msg/JointState", 51, 1.01
     ),
     "demos/dummy_robot/dummy_map_server:src/dummy_map_server.cpp": publishes(
         "/map", "nav_msgs/msg/OccupancyGrid", 1, 0.5
