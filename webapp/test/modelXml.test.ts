@@ -105,6 +105,7 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
       <tolerance ulp="2"/>
     </test_element>
   </output_spec_list>
+  <sequence_spec length="6" order="2" repeat="false" threads="1"><state name="on" type="boolean" initial="false"/><call name="Go" method="Move" signature="double,int" settle="0.1" run_for="0.2" overlap="false"><guard>on</guard><update state="on">false</update><forbidden>!error:Off</forbidden></call><event name="Slips" set="Friction" to="0.1"><guard>on</guard><update state="on">false</update></event></sequence_spec>
   <post_condition_spec_list>
     <post_condition name="moves on">actual &gt;= 0.0</post_condition>
   </post_condition_spec_list>
