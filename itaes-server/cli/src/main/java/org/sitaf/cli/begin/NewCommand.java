@@ -154,13 +154,12 @@ public final class NewCommand implements Callable<Integer> {
           "--from " + name, "copies an example as it is; remove the other options");
     }
     Path examples = Installation.current().example("");
-    Path wanted = examples.resolve(name).normalize();
-    if (!examples.normalize().equals(wanted.getParent())
-        || !Files.exists(wanted.resolve("activity.yaml"))) {
+    List<String> names = names(examples);
+    if (!names.contains(name)) {
       throw InvalidInputException.of(
-          "--from " + name, "is not an example; examples: " + String.join(", ", names(examples)));
+          "--from " + name, "is not an example; examples: " + String.join(", ", names));
     }
-    return UserFiles.folder(wanted);
+    return UserFiles.folder(examples.resolve(name));
   }
 
   private static List<String> names(Path examples) throws IOException {
