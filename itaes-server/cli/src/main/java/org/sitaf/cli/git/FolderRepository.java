@@ -25,10 +25,12 @@ import org.sitaf.core.diagnostic.InvalidInputException;
  * runs, no configuration of the user is read, and nothing is written.
  */
 final class FolderRepository implements AutoCloseable {
+  private final Path folder;
   private final Repository repository;
   private final String path;
 
-  private FolderRepository(Repository repository, String path) {
+  private FolderRepository(Path folder, Repository repository, String path) {
+    this.folder = folder;
     this.repository = repository;
     this.path = path;
   }
@@ -63,7 +65,8 @@ final class FolderRepository implements AutoCloseable {
       if (!real.startsWith(root)) {
         throw InvalidInputException.of(folder.toString(), "is not in the working tree " + root);
       }
-      return new FolderRepository(repository, root.relativize(real).toString().replace('\\', '/'));
+      return new FolderRepository(
+          folder, repository, root.relativize(real).toString().replace('\\', '/'));
     } catch (IOException | RuntimeException e) {
       repository.close();
       throw e;
@@ -93,8 +96,10 @@ final class FolderRepository implements AutoCloseable {
     }
     if (found == null) {
       throw InvalidInputException.of(
-          "'" + revision + "'",
-          "is no revision of the repository "
+          folder + "@" + revision,
+          "'"
+              + revision
+              + "' is no revision of the repository "
               + repository.getWorkTree()
               + "; 'git log' lists them");
     }
