@@ -252,7 +252,13 @@ def send(system, content_type, content):
     headers = {"Authorization": f"Bearer {TOKEN}", "Content-Type": content_type}
     body = content() if callable(content) else content
     try:
-        connection.request("POST", "/api/v1/activities", body, headers, encode_chunked=not isinstance(body, bytes))
+        try:
+            connection.request("POST", "/api/v1/activities", body, headers, encode_chunked=not isinstance(body, bytes))
+        except OSError:
+            # The server may have answered before the whole body was sent.
+            answer = http.client.HTTPResponse(connection.sock, method="POST")
+            answer.begin()
+            return answer.status
         return connection.getresponse().status
     except (OSError, http.client.HTTPException):
         return 0
