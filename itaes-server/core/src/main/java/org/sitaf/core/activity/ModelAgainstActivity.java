@@ -20,10 +20,7 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.TypeGrammar;
 import org.sitaf.core.description.WorldDescription;
-import org.sitaf.core.description.WorldDescription.WorldParameter;
 import org.sitaf.core.description.WorldSignals;
-import org.sitaf.core.description.fault.DeviceFaults;
-import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -34,7 +31,6 @@ import org.sitaf.core.model.Value;
 import org.sitaf.core.timing.Timing;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.value.TestDataGenerator;
-import org.sitaf.core.value.TestValue;
 
 /** Verifies a test model against the interfaces and the world of its activity. */
 final class ModelAgainstActivity {
@@ -53,6 +49,7 @@ final class ModelAgainstActivity {
   private final @Nullable RosNode ros;
   private final List<String> messageSignals;
   private final Diagnostics diagnostics = new Diagnostics();
+  private final WorldInputs worldInputs;
 
   private ModelAgainstActivity(
       TestModel model,
@@ -68,6 +65,7 @@ final class ModelAgainstActivity {
     this.required = required;
     this.world = world;
     this.outputPorts = outputPorts;
+    this.worldInputs = new WorldInputs(model, world, diagnostics);
   }
 
   /**
@@ -121,7 +119,7 @@ final class ModelAgainstActivity {
         case TDI -> {
           // A property or constructor argument, which the component's profile need not declare.
         }
-        case TDSD -> worldParameter(input);
+        case TDSD -> worldInputs.verify(input);
         case TDTS -> stubValue(input);
       }
     }
@@ -141,7 +139,7 @@ final class ModelAgainstActivity {
           given.add(MemberPath.root(input.name()));
           argument(input, method);
         }
-        case TDSD -> worldParameter(input);
+        case TDSD -> worldInputs.verify(input);
         case TDTS -> stubValue(input);
       }
     }
@@ -216,92 +214,6 @@ final class ModelAgainstActivity {
                           + enumeration.name()
                           + "; known literals: "
                           + enumeration.literals()));
-    }
-  }
-
-  private void worldParameter(InputElement input) {
-    String where = "test_element " + input.name();
-    if (world == null) {
-      error(input.line(), where, "is a parameter of the world, but activity.yaml has no world");
-      return;
-    }
-    if (FaultName.isFault(input.name())) {
-      fault(input, world, where);
-      return;
-    }
-    Optional<WorldParameter> parameter = world.parameter(input.name());
-    if (parameter.isEmpty()) {
-      error(
-          input.line(),
-          where,
-          world.path()
-              + " has no such parameter; it has "
-              + world.parameters().stream()
-                  .map(WorldParameter::name)
-                  .collect(Collectors.joining(", ")));
-      return;
-    }
-    for (TestValue value : TestDataGenerator.generate(input, 1).values()) {
-      if (value.relation() != null) {
-        continue;
-      }
-      Optional<Double> number = number(value.value());
-      if (number.isEmpty()) {
-        error(
-            input.line(),
-            where,
-            "a parameter of the world must be a number, not " + value.value().literal());
-        return;
-      }
-      if (!parameter.get().contains(number.get())) {
-        error(
-            input.line(),
-            where,
-            "the value "
-                + value.value().literal()
-                + " is outside the range "
-                + parameter.get().range()
-                + " that "
-                + world.path()
-                + " declares; extend this range or restrict the test_spec");
-      }
-    }
-  }
-
-  /** A fault of a device that the simulation injects. */
-  private void fault(InputElement input, WorldDescription declared, String where) {
-    FaultName name;
-    try {
-      name = FaultName.parse(input.name());
-    } catch (IllegalArgumentException e) {
-      error(input.line(), where, String.valueOf(e.getMessage()));
-      return;
-    }
-    Optional<String> problem = DeviceFaults.problem(name, declared);
-    if (problem.isPresent()) {
-      error(input.line(), where, problem.get());
-      return;
-    }
-    if (name.part() != FaultName.Part.FAULT
-        && model.inputs().stream().noneMatch(i -> i.name().equals(name.fault()))) {
-      error(
-          input.line(),
-          where,
-          "has no effect without the fault itself; add a test_element " + name.fault());
-    }
-    for (TestValue value : TestDataGenerator.generate(input, 1).values()) {
-      if (value.relation() != null) {
-        continue;
-      }
-      Optional<Double> number = number(value.value());
-      Optional<String> wrong =
-          number.isEmpty()
-              ? Optional.of("must be a number")
-              : DeviceFaults.problem(name, number.get());
-      if (wrong.isPresent()) {
-        error(input.line(), where, "the value " + value.value().literal() + " " + wrong.get());
-        return;
-      }
     }
   }
 
@@ -460,13 +372,6 @@ final class ModelAgainstActivity {
 
   private static Optional<Parameter> parameter(Method method, String name) {
     return method.parameters().stream().filter(p -> p.name().equals(name)).findFirst();
-  }
-
-  private static Optional<Double> number(Value value) {
-    if (value instanceof Value.Whole whole) {
-      return Optional.of(whole.number().doubleValue());
-    }
-    return value instanceof Value.Real real ? Optional.of(real.number()) : Optional.empty();
   }
 
   private void error(int line, String element, String message) {
