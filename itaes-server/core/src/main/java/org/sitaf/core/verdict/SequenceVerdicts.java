@@ -12,6 +12,8 @@ import org.sitaf.core.model.sequence.SequenceCall;
 import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestStep;
+import org.sitaf.core.suite.sequence.AbstractState;
+import org.sitaf.core.suite.sequence.StepStates;
 import org.sitaf.core.verdict.CaseRecord.Outcome;
 
 /**
@@ -22,7 +24,7 @@ import org.sitaf.core.verdict.CaseRecord.Outcome;
 final class SequenceVerdicts {
   private final Map<String, CallVerdicts> calls = new HashMap<>();
   private final Map<String, TestModel> models = new HashMap<>();
-  private final AbstractStates states;
+  private final StepStates states;
   private final CallVerdicts whole;
   private final TrajectoryVerdicts trajectories;
   private final StepMaps maps;
@@ -44,7 +46,7 @@ final class SequenceVerdicts {
       calls.put(call.name(), new CallVerdicts(call.model(), record, seed));
       models.put(call.name(), call.model());
     }
-    this.states = new AbstractStates(model, sequence);
+    this.states = new StepStates(model, seed);
     this.whole = whole;
     this.trajectories = trajectories;
     this.maps = new StepMaps(models);
@@ -89,7 +91,7 @@ final class SequenceVerdicts {
 
   private List<StepResult> steps(TestCase testCase, CaseRecord record) {
     List<StepResult> results = new ArrayList<>();
-    Optional<Map<String, Object>> state = Optional.of(states.initial());
+    Optional<AbstractState> state = Optional.of(states.initial());
     boolean failed = false;
     for (int i = 0; i < testCase.steps().size(); i++) {
       TestStep step = testCase.steps().get(i);
@@ -98,7 +100,10 @@ final class SequenceVerdicts {
       } else {
         StepRecord ended = record.steps().get(i);
         results.add(judge(testCase, step, i, ended, state, failed));
-        state = after(state, testCase, step, ended.record());
+        // Only a step that ended without an error updates the state.
+        if (ended.record().outcome() == Outcome.RETURNED) {
+          state = state.flatMap(before -> states.after(before, step));
+        }
       }
       failed |= results.get(i).verdict() != Verdict.PASS;
     }
@@ -147,7 +152,7 @@ final class SequenceVerdicts {
       TestStep step,
       int index,
       StepRecord ended,
-      Optional<Map<String, Object>> state,
+      Optional<AbstractState> state,
       boolean failed) {
     CallVerdicts call = calls.get(step.name());
     double at = ended.atNanos() / 1e9;
@@ -163,7 +168,7 @@ final class SequenceVerdicts {
           null,
           ended.record().message());
     }
-    Map<String, Object> surroundings = new HashMap<>(state.orElse(Map.of()));
+    Map<String, Object> surroundings = new HashMap<>(state.map(states::variables).orElse(Map.of()));
     surroundings.put(SequenceSpec.STEP, (long) index + 1);
     CaseResult result = call.judge(ofStep(testCase, step), ended.record(), surroundings).result();
     return new StepResult(
@@ -189,18 +194,6 @@ final class SequenceVerdicts {
   /** A step as a case of its call's own model. */
   private static TestCase ofStep(TestCase testCase, TestStep step) {
     return new TestCase(testCase.no(), step.valid(), step.values(), step.expected());
-  }
-
-  /** The state is updated only by a step that ended without an error. */
-  private Optional<Map<String, Object>> after(
-      Optional<Map<String, Object>> before, TestCase testCase, TestStep step, CaseRecord ended) {
-    if (before.isEmpty() || ended.outcome() != Outcome.RETURNED) {
-      return before;
-    }
-    CallVerdicts call = calls.get(step.name());
-    Map<String, Object> inputs =
-        call == null ? Map.of() : call.inputs(ofStep(testCase, step), "").map();
-    return states.after(before.get(), step.name(), inputs);
   }
 
   private static CaseResult result(TestCase testCase, CaseRecord record, List<StepResult> steps) {

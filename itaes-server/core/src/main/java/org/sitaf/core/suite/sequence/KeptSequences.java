@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.KeptCase;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.InputValidity;
@@ -17,7 +16,6 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.sequence.PlannedCase.Role;
-import org.sitaf.core.value.TestValue;
 
 /** The sequences to keep: those of the model's {@code case_list} and those of an earlier suite. */
 final class KeptSequences {
@@ -142,16 +140,7 @@ final class KeptSequences {
   }
 
   private StepRow row(TestModel of, List<String> literals) {
-    if (literals.size() != of.inputs().size()) {
-      throw new IllegalArgumentException(
-          literals.size() + " values for " + of.inputs().size() + " inputs of " + of.name());
-    }
-    InputValidity validity = validities.computeIfAbsent(of, m -> new InputValidity(m, 1));
-    List<TestValue> values = new ArrayList<>();
-    for (int i = 0; i < literals.size(); i++) {
-      InputElement input = of.inputs().get(i);
-      values.add(new TestValue(input.value(literals.get(i)), validity.isValid(i, literals.get(i))));
-    }
-    return new StepRow(values);
+    return StepRow.of(
+        of, literals, false, validities.computeIfAbsent(of, m -> new InputValidity(m, 1)));
   }
 }

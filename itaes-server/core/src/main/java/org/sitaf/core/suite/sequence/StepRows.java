@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Set;
 import org.sitaf.core.combine.Progress;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.MixedStrength;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
@@ -14,7 +13,6 @@ import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.InputValidity;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestCaseGenerator;
-import org.sitaf.core.value.TestValue;
 
 /**
  * The rows of values of one call, or those before the first step.
@@ -78,14 +76,7 @@ record StepRows(List<StepRow> valid, List<StepRow> invalid, List<StepRow> choice
     InputValidity validity = new InputValidity(model, seed);
     List<StepRow> rows = new ArrayList<>();
     for (TestCase testCase : cases) {
-      List<TestValue> values = new ArrayList<>();
-      for (int i = 0; i < testCase.values().size(); i++) {
-        InputElement input = model.inputs().get(i);
-        String literal = testCase.values().get(i);
-        values.add(
-            new TestValue(input.value(literal), testCase.valid() || validity.isValid(i, literal)));
-      }
-      rows.add(new StepRow(values));
+      rows.add(StepRow.of(model, testCase.values(), testCase.valid(), validity));
     }
     return rows;
   }

@@ -1,0 +1,68 @@
+package org.sitaf.core.suite.sequence;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.InputValidity;
+import org.sitaf.core.suite.TestStep;
+
+/** The abstract states of a case while its steps are executed. */
+public final class StepStates {
+  private final StateVariables variables;
+  private final Map<String, CompiledStep> steps = new HashMap<>();
+  private final Map<String, InputValidity> validities = new HashMap<>();
+
+  /**
+   * Compiles the guards and updates of a model, which were verified when it was read.
+   *
+   * @param model has a sequence
+   * @param seed seed of the suite
+   */
+  public StepStates(TestModel model, long seed) {
+    SequenceCompiler compiler = new SequenceCompiler(model, new Diagnostics());
+    for (CompiledStep step : compiler.compile()) {
+      steps.put(step.step().name(), step);
+      step.call()
+          .ifPresent(call -> validities.put(call.name(), new InputValidity(call.model(), seed)));
+    }
+    variables = compiler.states();
+  }
+
+  /** The state before the first step. */
+  public AbstractState initial() {
+    return variables.initial();
+  }
+
+  /** The values of a state for expressions, by name. */
+  public Map<String, Object> variables(AbstractState state) {
+    return variables.variables(state).map();
+  }
+
+  /**
+   * The state after a step that ended without an error. A step that its guard forbids changes
+   * nothing.
+   *
+   * @return empty if the state cannot be computed, so that it is unknown from now on
+   */
+  public Optional<AbstractState> after(AbstractState before, TestStep step) {
+    CompiledStep compiled = steps.get(step.name());
+    if (compiled == null) {
+      return Optional.of(before);
+    }
+    try {
+      if (!compiled.isAllowed(before)) {
+        return Optional.of(before);
+      }
+      InputValidity validity = validities.get(step.name());
+      StepRow row =
+          compiled.call().isEmpty() || validity == null
+              ? StepRow.NONE
+              : StepRow.of(compiled.call().get().model(), step.values(), step.valid(), validity);
+      return Optional.of(compiled.after(before, row));
+    } catch (StepException | IllegalArgumentException e) {
+      return Optional.empty();
+    }
+  }
+}
