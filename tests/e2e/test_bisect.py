@@ -76,6 +76,21 @@ def test_the_commit_that_makes_a_case_fail(bisect, tmp_path):
     assert code == 2 and "is bad, too: case 5: expected 3.0, but was 4.0" in output
 
 
+def test_a_case_that_also_fails_with_good_does_not_decide(bisect, tmp_path):
+    history = History(tmp_path / "robot", EXPECTED)
+    # Gain 1 is wrong in all versions.
+    old = "return (-gain if inverted else gain) + (1 if gain == 1 else 0)"
+    new = "return (-gain if inverted else gain) + (1 if gain in (1, 3) else 0)"
+    first = history.commit(0, old)
+    commits = [history.commit(i, new if i >= 6 else old) for i in range(1, 9)]
+    code, found, output = bisect(history.folder, first, "HEAD")
+    assert code == 0, output
+    assert found["first_bad"] == commits[5]
+    assert "GOOD fails in the other cases, too" in output
+    # BAD, GOOD, and each commit at most once.
+    assert found["builds"] == 2 + len({t["commit"] for t in found["tested"]})
+
+
 def test_the_commit_that_changes_a_value_without_an_expected_one(bisect, tmp_path):
     history = History(tmp_path / "robot", "")
     first = history.commit(0, GOOD)

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,7 +13,8 @@ import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.Sitaf;
-import org.sitaf.cli.bisect.CommitTest.Tested;
+import org.sitaf.cli.bisect.Criterion.Decision;
+import org.sitaf.cli.bisect.VersionTests.Tested;
 import org.sitaf.cli.compare.Version;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.SuiteCache;
@@ -92,7 +93,8 @@ public final class BisectCommand implements Callable<Integer> {
 
   @Mixin private final SandboxOption sandbox = new SandboxOption();
 
-  private final List<BisectionJson.TestedCommit> tested = new ArrayList<>();
+  private final Map<String, Tested> known = new HashMap<>();
+  private final Map<String, Decision> decisions = new LinkedHashMap<>();
 
   /** Searches the history. */
   @Override
@@ -119,22 +121,57 @@ public final class BisectCommand implements Callable<Integer> {
       err.println("sandbox: " + builds.sandbox());
       err.println(history.commits().size() + " commits change the folder after " + good);
       err.flush();
-      CommitTest test = new CommitTest(builds, last, suites);
-      progress.step("testing BAD");
-      boolean fails = test.learnFailures();
-      boolean byValues = values || !fails;
-      if (byValues) {
-        progress.step("testing GOOD");
-        test.learnDifferences(version("GOOD", history.good()));
-      }
-      err.println("bad is a commit that " + test.criterion());
+      VersionTests tests = new VersionTests(builds, last, suites);
+      Criterion criterion = criterion(history, last, suites, tests, progress);
+      err.println("bad is a commit that " + criterion.text());
       err.flush();
-      Bisection bisection = search(history, test, progress, err);
-      if (!byValues && !bisection.hasGood()) {
-        requireGood(history, test, progress);
+      Bisection bisection = search(history, criterion, tests, progress, err);
+      if (criterion instanceof FailingCases failing && !bisection.hasGood()) {
+        FailingCases narrowed = withoutFailuresOfGood(failing, history, tests, progress);
+        if (!narrowed.equals(failing)) {
+          err.println(
+              "GOOD fails in the other cases, too; bad is a commit that " + narrowed.text());
+          err.flush();
+          bisection = search(history, narrowed, tests, progress, err);
+        }
       }
-      return report(history, bisection, test, out);
+      return report(history, bisection, tests.count(), out);
     }
+  }
+
+  /** Executes the bad version and, if no case fails, the good one. */
+  private Criterion criterion(
+      FolderHistory history,
+      Version last,
+      Map<TestModel, TestSuite> suites,
+      VersionTests tests,
+      ProgressLine progress)
+      throws IOException, InterruptedException {
+    progress.step("testing BAD");
+    Tested ofBad = usable("BAD", tests.test(last));
+    FailingCases failing = new FailingCases(ofBad.failing());
+    if (!values && !failing.isEmpty()) {
+      VersionTests.deleteSignals(ofBad);
+      return failing;
+    }
+    progress.step("testing GOOD");
+    Tested ofGood = usable("GOOD", tests.test(version("GOOD", history.good())));
+    OtherValues different = OtherValues.between(last.activity(), suites, ofGood, ofBad);
+    if (different.isEmpty()) {
+      throw InvalidInputException.of(
+          "BAD",
+          (failing.isEmpty() ? "no case fails, and GOOD" : "GOOD")
+              + " gives the same values; choose other cases or revisions");
+    }
+    VersionTests.deleteSignals(ofBad);
+    return different;
+  }
+
+  private static Tested usable(String label, Tested tested) {
+    if (!tested.problem().isEmpty()) {
+      throw InvalidInputException.of(label, "cannot be tested: " + tested.problem());
+    }
+    return tested;
   }
 
   private static int expectedBuilds(FolderHistory history) {
@@ -175,25 +212,38 @@ public final class BisectCommand implements Callable<Integer> {
     return suites;
   }
 
+  /** Versions that are known from an earlier search are not executed again. */
   private Bisection search(
-      FolderHistory history, CommitTest test, ProgressLine progress, PrintWriter err)
+      FolderHistory history,
+      Criterion criterion,
+      VersionTests tests,
+      ProgressLine progress,
+      PrintWriter err)
       throws IOException, InterruptedException {
     Bisection bisection = new Bisection(history.commits().stream().map(Commit::parents).toList());
     for (OptionalInt next = bisection.next(); next.isPresent(); next = bisection.next()) {
       Commit commit = history.commits().get(next.getAsInt());
       int left = bisection.candidates().size();
-      progress.step("testing %s, 1 of %d commits".formatted(commit.shortId(), left));
-      Tested found = test(commit, test);
-      bisection.record(next.getAsInt(), found.outcome());
-      tested.add(new BisectionJson.TestedCommit(commit.id(), found.outcome(), found.reason()));
+      Tested tested = known.get(commit.id());
+      if (tested == null) {
+        progress.step("testing %s, 1 of %d commits".formatted(commit.shortId(), left));
+        tested = test(commit, tests);
+        known.put(commit.id(), tested);
+      }
+      Decision decision = criterion.decide(tested);
+      decisions.put(commit.id(), decision);
+      bisection.record(next.getAsInt(), decision.outcome());
+      VersionTests.deleteSignals(tested);
       err.println(
           Printable.line(
               "%s %s: %s%s"
                   .formatted(
                       commit.shortId(),
-                      word(found.outcome()),
+                      word(decision.outcome()),
                       commit.subject(),
-                      found.outcome() == Outcome.SKIPPED ? " (" + found.reason() + ")" : "")));
+                      decision.outcome() == Outcome.SKIPPED
+                          ? " (" + decision.reason() + ")"
+                          : "")));
       err.flush();
     }
     return bisection;
@@ -208,35 +258,43 @@ public final class BisectCommand implements Callable<Integer> {
   }
 
   /** A version whose documents are invalid cannot be tested. */
-  private Tested test(Commit commit, CommitTest test) throws IOException, InterruptedException {
+  private Tested test(Commit commit, VersionTests tests) throws IOException, InterruptedException {
     Version version;
     try {
       version = version(commit.shortId(), commit.id());
     } catch (InvalidInputException e) {
-      return new Tested(Outcome.SKIPPED, String.valueOf(e.getMessage()));
+      return Tested.impossible(String.valueOf(e.getMessage()));
     }
-    return test.test(version);
+    return tests.test(version);
   }
 
-  /** No test contradicted that GOOD is good, so it is tested last. */
-  private void requireGood(FolderHistory history, CommitTest test, ProgressLine progress)
+  /** No commit was good, so the cases may fail with GOOD, too; those do not decide. */
+  private FailingCases withoutFailuresOfGood(
+      FailingCases failing, FolderHistory history, VersionTests tests, ProgressLine progress)
       throws IOException, InterruptedException {
     progress.step("testing GOOD");
-    Tested found = test.test(version("GOOD", history.good()));
-    if (found.outcome() != Outcome.GOOD) {
+    Tested ofGood = tests.test(version("GOOD", history.good()));
+    Decision decision = failing.decide(ofGood);
+    FailingCases narrowed = failing.without(ofGood);
+    if (decision.outcome() == Outcome.SKIPPED || narrowed.isEmpty()) {
       throw InvalidInputException.of(
           "GOOD",
-          (found.outcome() == Outcome.BAD ? "is bad, too: " : "cannot be tested: ")
-              + found.reason()
+          (decision.outcome() == Outcome.BAD ? "is bad, too: " : "cannot be tested: ")
+              + decision.reason()
               + "; name an earlier revision");
     }
+    return narrowed;
   }
 
-  private int report(FolderHistory history, Bisection bisection, CommitTest test, PrintWriter out)
+  private int report(FolderHistory history, Bisection bisection, int builds, PrintWriter out)
       throws IOException {
     List<Commit> candidates = bisection.candidates().stream().map(history.commits()::get).toList();
     if (json != null) {
-      Files.writeString(json, BisectionJson.write(candidates, tested, test.builds()));
+      List<BisectionJson.TestedCommit> tested =
+          decisions.entrySet().stream()
+              .map(e -> new BisectionJson.TestedCommit(e.getKey(), e.getValue()))
+              .toList();
+      Files.writeString(json, BisectionJson.write(candidates, tested, builds));
     }
     out.println(
         candidates.size() == 1
@@ -248,11 +306,11 @@ public final class BisectCommand implements Callable<Integer> {
               "  %s %s %s: %s"
                   .formatted(commit.id(), commit.time(), commit.author(), commit.subject())));
     }
-    tested.stream()
-        .filter(t -> candidates.size() == 1 && t.commit().equals(candidates.get(0).id()))
-        .filter(t -> t.outcome() == Outcome.BAD)
-        .forEach(t -> out.println(Printable.line("  " + t.reason())));
-    out.println(test.builds() + " versions tested");
+    Decision first = decisions.get(candidates.get(0).id());
+    if (candidates.size() == 1 && first != null) {
+      out.println(Printable.line("  " + first.reason()));
+    }
+    out.println(builds + " versions tested");
     out.flush();
     return candidates.size() == 1 ? 0 : SEVERAL;
   }

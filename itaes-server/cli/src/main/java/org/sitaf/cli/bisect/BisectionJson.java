@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.cli.bisect.Criterion.Decision;
 import org.sitaf.cli.git.FolderHistory.Commit;
-import org.sitaf.core.bisect.Bisection.Outcome;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Writes the result of a search as JSON (docs/compare.md). */
@@ -14,7 +14,7 @@ final class BisectionJson {
   private BisectionJson() {}
 
   /** The test of a commit. */
-  record TestedCommit(String commit, Outcome outcome, String reason) {}
+  record TestedCommit(String commit, Decision decision) {}
 
   static String write(List<Commit> candidates, List<TestedCommit> tested, int builds) {
     Map<String, @Nullable Object> root = new LinkedHashMap<>();
@@ -28,8 +28,8 @@ final class BisectionJson {
   private static Map<String, Object> entry(TestedCommit test) {
     Map<String, Object> entry = new LinkedHashMap<>();
     entry.put("commit", test.commit());
-    entry.put("outcome", test.outcome().name().toLowerCase(Locale.ROOT));
-    entry.put("reason", test.reason());
+    entry.put("outcome", test.decision().outcome().name().toLowerCase(Locale.ROOT));
+    entry.put("reason", test.decision().reason());
     return entry;
   }
 }
