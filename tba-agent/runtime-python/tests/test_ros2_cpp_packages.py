@@ -15,6 +15,7 @@ from tests.test_ros2_packages import (
     STRING,
     answers,
     executes,
+    talks,
 )
 
 pytestmark = pytest.mark.skipif(
@@ -22,16 +23,6 @@ pytestmark = pytest.mark.skipif(
 )
 ADD = "example_interfaces/srv/AddTwoInts"
 EXAMPLE, DEMO = "examples/rclcpp", "demos/demo_nodes_cpp"
-
-
-def talks(topic, times, prefix, first=0):
-    def script(case):
-        got = case.heard(topic, STRING)
-        case.run(times[-1])
-        assert [t for t, _ in got] == pytest.approx(times)
-        assert [text for _, text in got] == [f"{prefix}{i + first}" for i in range(len(times))]
-
-    return script
 
 
 def listens(topic, log):

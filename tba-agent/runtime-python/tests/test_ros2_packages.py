@@ -16,12 +16,12 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def talks(topic, times, prefix):
+def talks(topic, times, prefix, first=0):
     def script(case):
         got = case.heard(topic, STRING)
         case.run(times[-1])
         assert [t for t, _ in got] == pytest.approx(times)
-        assert [text for _, text in got] == [f"{prefix}{i}" for i in range(len(times))]
+        assert [text for _, text in got] == [f"{prefix}{i + first}" for i in range(len(times))]
 
     return script
 

@@ -1,4 +1,4 @@
-// What the test driver sets for a case, and what it is told.
+// The settings of a case, and what the node reports to the test driver.
 #pragma once
 
 #include <deque>

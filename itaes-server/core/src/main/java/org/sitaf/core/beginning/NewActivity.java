@@ -117,7 +117,7 @@ public record NewActivity(
   private String profile(List<String> models) {
     StringBuilder text = new StringBuilder();
     text.append("name: ").append(name).append('\n');
-    text.append("description: TODO what is tested\n");
+    text.append("description: \"\"   # Say in one sentence what is tested.\n");
     text.append("component:\n");
     text.append("  language: ").append(language.name().toLowerCase(Locale.ROOT)).append('\n');
     text.append("  # A skeleton. Replace it by the sources of your component and its class.\n");
