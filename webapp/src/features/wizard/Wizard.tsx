@@ -50,7 +50,7 @@ export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void 
       {step === 0 && <ComponentStep {...props} />}
       {step === 1 && <SourcesStep {...props} />}
       {step === 2 && <InterfacesStep {...props} />}
-      {step === LAST_STEP && <SummaryStep {...props} />}
+      {step === LAST_STEP && <SummaryStep {...props} checking={check.isFetching} />}
       {create.isError && (
         <ProblemAlert
           title="The activity was not created"
@@ -290,7 +290,7 @@ function InterfacesStep({ draft, set, problems }: StepProps) {
   );
 }
 
-function SummaryStep({ draft, set, problems }: StepProps) {
+function SummaryStep({ draft, set, problems, checking }: StepProps & { checking: boolean }) {
   return (
     <Stack gap="md">
       <NativeSelect
@@ -323,7 +323,7 @@ function SummaryStep({ draft, set, problems }: StepProps) {
         {problems.length > 0 ? (
           <Diagnostics items={problems} />
         ) : (
-          <Text role="status">No problems.</Text>
+          <Text role="status">{checking ? 'Checking…' : 'No problems.'}</Text>
         )}
       </Section>
     </Stack>
