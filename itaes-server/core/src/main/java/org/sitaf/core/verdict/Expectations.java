@@ -132,12 +132,24 @@ final class Expectations {
   /** Whether the exception is the expected one, any of an output, or replaces its value. */
   private boolean allows(ExpectedValue expected, CaseRecord record) {
     String literal = expected.literal().strip();
-    return literal.equals(Value.ANY_ERROR)
-        || literal.equals(Value.ERROR_PREFIX + record.thrown())
+    boolean isExpected =
+        literal.startsWith(Value.ERROR_PREFIX)
+            && isNamed(literal.substring(Value.ERROR_PREFIX.length()), record.thrown());
+    return isExpected
+        || literal.equals(Value.ANY_ERROR)
         || model
             .output(outputName(expected, record))
-            .filter(o -> o.orErrors().contains(record.thrown()))
+            .filter(o -> o.orErrors().stream().anyMatch(name -> isNamed(name, record.thrown())))
             .isPresent();
+  }
+
+  /**
+   * Whether an exception has a name, which may be qualified as in the component's language: records
+   * contain simple names.
+   */
+  private static boolean isNamed(String name, String thrown) {
+    int end = Math.max(name.lastIndexOf("::") + 1, name.lastIndexOf('.'));
+    return name.equals(thrown) || name.substring(end + 1).equals(thrown);
   }
 
   private CaseResult result(TestCase testCase, CaseRecord record, Verdict verdict, String message) {

@@ -104,6 +104,20 @@ class ExpectationsTest {
   }
 
   @Test
+  void theNameOfAnExpectedErrorMayBeQualified() {
+    for (String name : List.of("std::out_of_range", "a.b.out_of_range", "out_of_range")) {
+      assertThat(judged("!error:" + name, threw("out_of_range")).verdict())
+          .as(name)
+          .isEqualTo(Verdict.PASS);
+    }
+    for (String name : List.of("std::range", "out_of_range::other", "range")) {
+      assertThat(judged("!error:" + name, threw("out_of_range")).verdict())
+          .as(name)
+          .isEqualTo(Verdict.ERROR);
+    }
+  }
+
+  @Test
   void comparesAnExpectedErrorByItsName() {
     CaseResult matching = judged("!error:TooFast", threw("TooFast"));
 
