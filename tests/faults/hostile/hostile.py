@@ -291,7 +291,8 @@ def main():
     given = parser.parse_args()
     parts, chosen = given.only.split(","), set(filter(None, given.kinds.split(",")))
     table = Table("hostile")
-    with tempfile.TemporaryDirectory(prefix="sitaf-hostile-", ignore_cleanup_errors=True) as folder, ExitStack() as stack:
+    # Not /tmp, which components then see as a small file system without a limit of the number of files.
+    with tempfile.TemporaryDirectory(prefix="sitaf-hostile-", dir="/var/tmp", ignore_cleanup_errors=True) as folder, ExitStack() as stack:
         system = System(Path(folder), given.user)
         try:
             stack.enter_context(system)

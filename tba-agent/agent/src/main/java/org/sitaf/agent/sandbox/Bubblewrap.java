@@ -183,7 +183,7 @@ final class Bubblewrap implements Sandbox {
       throws IOException {
     List<String> command = LaunchScript.prefix(group, filterPath());
     namespaces(command, confinement.network());
-    MountPlan.of(confinement, group.limitsMemory()).appendTo(command);
+    MountPlan.of(confinement).appendTo(command);
     command.addAll(List.of("--chdir", confinement.working().toString(), "--"));
     command.addAll(privileges.setLimits(confinement.limits()));
     if (user >= 0) {

@@ -46,7 +46,7 @@ final class MountPlan {
 
   private static final Path TMP = Path.of("/tmp");
 
-  /** Size of each tmpfs. */
+  /** Size of a tmpfs. */
   private static final String MEMORY_BYTES = Long.toString(64L << 20);
 
   private final List<String> arguments = new ArrayList<>();
@@ -73,13 +73,8 @@ final class MountPlan {
     return plan;
   }
 
-  /**
-   * What a process sees.
-   *
-   * @param memoryIsCounted whether a control group counts the content of a tmpfs; otherwise the
-   *     process gets no writable tmpfs
-   */
-  static MountPlan of(Confinement confinement, boolean memoryIsCounted) throws IOException {
+  /** What a process sees. */
+  static MountPlan of(Confinement confinement) throws IOException {
     MountPlan plan = system();
     if (confinement.network()) {
       plan.settings(NETWORK);
@@ -96,8 +91,7 @@ final class MountPlan {
     }
     binds.put(confinement.temporary(), "--bind");
     binds.put(confinement.working(), "--bind");
-    plan.temporary(
-        confinement, memoryIsCounted || binds.keySet().stream().anyMatch(p -> p.startsWith(TMP)));
+    plan.temporary(confinement, binds.keySet().stream().anyMatch(p -> p.startsWith(TMP)));
     // From the outside in, so that a writable folder may lie in a readable one.
     for (Map.Entry<Path, String> bind : binds.entrySet()) {
       Path path = bind.getKey();
@@ -108,15 +102,22 @@ final class MountPlan {
     return plan;
   }
 
-  /** Mounts the default folders for temporary files. */
-  private void temporary(Confinement confinement, boolean inMemory) {
-    for (String folder : List.of(TMP.toString(), "/dev/shm")) {
-      if (inMemory) {
-        add("--perms", "1777", "--size", MEMORY_BYTES, "--tmpfs", folder);
-      } else {
-        add("--bind", confinement.temporary().toString(), folder);
-      }
+  /**
+   * Mounts the default folders for temporary files. They are the process's own folder for temporary
+   * files, whose bytes and number of files are limited; a tmpfs made by bubblewrap has no limit of
+   * the number of files.
+   *
+   * @param tmpHoldsMountPoints whether {@code /tmp} needs a tmpfs, because bubblewrap must not
+   *     create mount points in a folder that an earlier process could write
+   */
+  private void temporary(Confinement confinement, boolean tmpHoldsMountPoints) {
+    String temporary = confinement.temporary().toString();
+    if (tmpHoldsMountPoints) {
+      add("--perms", "1777", "--size", MEMORY_BYTES, "--tmpfs", TMP.toString());
+    } else {
+      add("--bind", temporary, TMP.toString());
     }
+    add("--bind", temporary, "/dev/shm");
     created.add(TMP);
   }
 

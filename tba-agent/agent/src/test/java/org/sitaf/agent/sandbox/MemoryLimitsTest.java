@@ -55,6 +55,8 @@ class MemoryLimitsTest {
       }
     }
     ways.add(Arguments.of(Bound.GROUPS, "names /tmp"));
+    ways.add(Arguments.of(Bound.GROUPS, "names /dev/shm"));
+    ways.add(Arguments.of(Bound.WATCH, "names /dev/shm"));
     return ways.stream();
   }
 
@@ -63,7 +65,10 @@ class MemoryLimitsTest {
   void stopsTheProcess(Bound bound, String way) throws Exception {
     End end = run(bound, way.split(" "));
 
-    assertThat(end.output()).doesNotContain("TAKEN");
+    if (bound == Bound.GROUPS) {
+      // On a busy machine, a process can take all of it between two measurements of the agent.
+      assertThat(end.output()).doesNotContain("TAKEN");
+    }
     assertThat(end.exceededLimit().isPresent() || end.output().contains("refused"))
         .as(end.toString())
         .isTrue();
@@ -82,14 +87,16 @@ class MemoryLimitsTest {
     assertThat(run(Bound.GROUPS, "sockets").exceededLimit()).contains(EXCEEDED);
   }
 
-  @Test
-  void mountsNoTmpfsWithoutControlGroups() throws Exception {
+  /** A tmpfs that bubblewrap makes has no limit of the number of files. */
+  @ParameterizedTest(name = "{0}")
+  @EnumSource(Bound.class)
+  void mountsNoTmpfsOfBubblewrap(Bound bound) throws Exception {
     Path outside = Path.of("/var/tmp/sitaf-test-" + ProcessHandle.current().pid());
     java.nio.file.Files.createDirectories(outside);
     try {
       End end =
           Escapes.run(
-              Bound.WATCH.sandbox(),
+              bound.sandbox(),
               Escapes.confinement(
                   outside, LIMITS, List.of("stat", "-f", "-c", "%n %T", "/tmp", "/dev/shm")));
 
