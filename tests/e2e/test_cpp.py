@@ -185,3 +185,53 @@ def test_a_component_in_cpp20_with_packages(sitaf, tmp_path):
     assert "the test application cannot be linked" in run.stderr
     assert "undefined reference to `fmt::" in run.stderr
     assert "linked with eigen3" in run.stderr
+
+
+def test_a_library_of_a_cmake_project_is_tested(sitaf, tmp_path):
+    run = sitaf("run", "examples/acceleration-limiter")
+    assert run.returncode == 0, run.stdout + run.stderr
+    faulty = sitaf("run", "examples/acceleration-limiter-faulty")
+    assert faulty.returncode == 1, faulty.stdout + faulty.stderr
+    assert "FAIL" in faulty.stdout
+
+    again = sitaf("run", "examples/acceleration-limiter")
+    assert again.returncode == 0, again.stdout + again.stderr
+
+    activity = shutil.copytree(sitaf.root / "examples" / "acceleration-limiter", tmp_path / "activity")
+    yaml = activity / "activity.yaml"
+    text = yaml.read_text()
+    for target, message in [
+        ("speed_limiter", "the project has no target speed_limiter; its libraries are acceleration_limiter"),
+        ("limit", "the target limit is no library; its libraries are acceleration_limiter"),
+    ]:
+        yaml.write_text(text.replace("target: acceleration_limiter", f"target: {target}"))
+        refused = sitaf("run", activity)
+        assert refused.returncode == 2
+        assert message in refused.stderr
+    yaml.write_text(text.replace("limiter}", "limiter, options: {MAX_ACCELERATION: 3.0}}"))
+    faster = sitaf("run", activity)
+    assert faster.returncode == 1, faster.stdout + faster.stderr
+    yaml.write_text(text)
+
+    source = activity / "component" / "src" / "acceleration_limiter.cpp"
+    source.write_text(source.read_text().replace("return within", "return nearest"))
+    broken = sitaf("run", activity)
+    assert broken.returncode == 2
+    assert "activity/component/src/acceleration_limiter.cpp:11:" in broken.stderr
+
+    lists = activity / "component" / "CMakeLists.txt"
+    lists.write_text(lists.read_text().replace("Eigen3 REQUIRED", "NoSuchPackage REQUIRED"))
+    missing = sitaf("run", activity)
+    assert missing.returncode == 2
+    assert "CMakeLists.txt:5:" in missing.stderr
+    assert "NoSuchPackage" in missing.stderr
+
+
+def test_a_cmake_project_with_shared_and_object_libraries_is_linked(sitaf, tmp_path):
+    activity = shutil.copytree(sitaf.root / "examples" / "acceleration-limiter", tmp_path / "activity")
+    lists = activity / "component" / "CMakeLists.txt"
+    text = lists.read_text()
+    for kind in ("SHARED", "OBJECT"):
+        lists.write_text(text.replace("add_library(acceleration_limiter ", f"add_library(acceleration_limiter {kind} "))
+        run = sitaf("run", activity)
+        assert run.returncode == 0, run.stdout + run.stderr

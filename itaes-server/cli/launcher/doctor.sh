@@ -68,6 +68,7 @@ if [ -n "$cpp" ]; then
 else
   printf '  %-12s %-28s %s\n' "C++" "not found" "for C++ components: ./sitaf doctor --install cpp"
 fi
+optional "CMake" "for components that are CMake projects" "$(command -v make >/dev/null && command -v cmake >/dev/null && version_of cmake --version)" "cmake make"
 optional "bubblewrap" "sandbox for components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
 
 # feature NAME STATE NOTE: a feature of the sandbox; the note explains how to get a missing feature.

@@ -42,12 +42,28 @@ final class ComponentFiles {
         .cpp()
         .includes()
         .forEach(include -> folder(include, entry + ".includes", files, file, diagnostics));
+    if (component.cpp().cmake() != null) {
+      cmakeProject(component, entry, files, file, diagnostics);
+    }
     existing(component.library(), entry + ".library", files, file, diagnostics);
     existing(component.profile(), entry + ".profile", files, file, diagnostics);
     if (component.language() == Language.JAVA
         && component.sources() != null
         && !component.className().isEmpty()) {
       javaClass(component, entry, files, file, diagnostics);
+    }
+  }
+
+  private static void cmakeProject(
+      Component component, String entry, FileTree files, String file, Diagnostics diagnostics) {
+    String folder = Objects.requireNonNullElse(component.sources(), "");
+    FileTree project = files.below(folder);
+    if (!project.paths().isEmpty() && !project.contains("CMakeLists.txt")) {
+      diagnostics.error(
+          file,
+          0,
+          entry + ".cmake.project",
+          "'" + folder + "' holds no CMakeLists.txt; name the top folder of a CMake project");
     }
   }
 

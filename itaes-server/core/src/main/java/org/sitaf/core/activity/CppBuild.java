@@ -1,6 +1,7 @@
 package org.sitaf.core.activity;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How the sources of a C++ component are compiled.
@@ -11,19 +12,21 @@ import java.util.List;
  * @param defines macros: {@code NAME} or {@code NAME=VALUE}
  * @param standard the last two digits of the year of the C++ standard
  * @param flags further options of the compiler; see {@link CppBuildReader} for those allowed
+ * @param cmake what the component's own CMake project builds; null if each source is compiled
  */
 public record CppBuild(
     List<String> packages,
     List<String> includes,
     List<String> defines,
     int standard,
-    List<String> flags) {
+    List<String> flags,
+    @Nullable CmakeTarget cmake) {
   /** The standard of the runtime and of the generated sources. */
   public static final int DEFAULT_STANDARD = 17;
 
   /** A component that says nothing about its build. */
   public static final CppBuild DEFAULT =
-      new CppBuild(List.of(), List.of(), List.of(), DEFAULT_STANDARD, List.of());
+      new CppBuild(List.of(), List.of(), List.of(), DEFAULT_STANDARD, List.of(), null);
 
   public CppBuild {
     packages = List.copyOf(packages);

@@ -1,7 +1,10 @@
 package org.sitaf.core.activity;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.document.YamlMapping;
@@ -9,7 +12,8 @@ import org.sitaf.core.document.YamlMapping;
 /** Reads how a C++ component is compiled. Every word becomes one argument of the compiler. */
 final class CppBuildReader {
   /** The keys of {@code component:} that it reads. */
-  static final Set<String> ENTRIES = Set.of("packages", "includes", "defines", "standard", "flags");
+  static final Set<String> ENTRIES =
+      Set.of("packages", "includes", "defines", "standard", "flags", "cmake");
 
   private static final Set<String> STANDARDS = Set.of("14", "17", "20", "23");
 
@@ -36,6 +40,11 @@ final class CppBuildReader {
           Pattern.compile("-m(sse[0-9.a-z]{0,5}|avx2?|fma|bmi2?|popcnt)"),
           Pattern.compile("-m(arch|tune)=[a-z0-9.-]{1,30}"));
 
+  private static final Pattern TARGET =
+      Pattern.compile("[A-Za-z0-9_][A-Za-z0-9_.+-]{0,99}(::[A-Za-z0-9_.+-]{1,100})*");
+
+  private static final Pattern OPTION = Pattern.compile("[A-Za-z_][A-Za-z0-9_.-]{0,99}");
+
   private CppBuildReader() {}
 
   /** Reads the entries of a component; problems are added to its diagnostics. */
@@ -49,7 +58,16 @@ final class CppBuildReader {
           name -> entry.problem(name, "is only allowed for components in C++; remove it"));
       return CppBuild.DEFAULT;
     }
-    if (!entry.has("sources")) {
+    if (entry.has("cmake")) {
+      List.of("defines", "flags").stream()
+          .filter(entry::has)
+          .forEach(
+              name ->
+                  entry.problem(
+                      name,
+                      "has no effect on a component that CMake builds; write it in"
+                          + " CMakeLists.txt"));
+    } else if (!entry.has("sources")) {
       List.of("standard", "flags").stream()
           .filter(entry::has)
           .forEach(
@@ -64,7 +82,35 @@ final class CppBuildReader {
         entry.texts("includes"),
         defines(entry),
         standard(entry),
-        flags(entry));
+        flags(entry),
+        entry.mapping("cmake").map(CppBuildReader::cmake).orElse(null));
+  }
+
+  /** The folder of the CMake project of a component; empty if it has none. */
+  static Optional<String> cmakeProject(YamlMapping entry) {
+    return entry.mapping("cmake").map(cmake -> cmake.requiredText("project"));
+  }
+
+  private static CmakeTarget cmake(YamlMapping entry) {
+    entry.allowOnly(Set.of("project", "target", "options"));
+    String target = entry.requiredText("target");
+    if (!target.isEmpty() && !TARGET.matcher(target).matches()) {
+      entry.problem("target", "'" + target + "' is no name of a target of CMake");
+    }
+    Map<String, String> options = new TreeMap<>();
+    entry
+        .mapping("options")
+        .ifPresent(
+            all ->
+                all.names()
+                    .forEach(
+                        name -> {
+                          if (!OPTION.matcher(name).matches()) {
+                            all.problem(name, "is no name of a variable of CMake");
+                          }
+                          all.text(name).ifPresent(value -> options.put(name, value));
+                        }));
+    return new CmakeTarget(target, options);
   }
 
   private static int standard(YamlMapping entry) {

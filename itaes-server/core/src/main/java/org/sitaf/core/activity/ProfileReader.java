@@ -233,9 +233,12 @@ final class ProfileReader {
     Set<String> known = new HashSet<>(COMPONENT_ENTRIES);
     known.addAll(CppBuildReader.ENTRIES);
     entry.allowOnly(known);
-    long origins = List.of("sources", "library", "package").stream().filter(entry::has).count();
+    long origins =
+        List.of("sources", "library", "package", "cmake").stream().filter(entry::has).count();
     if (origins != 1) {
-      entry.problem("sources", "the component needs exactly one of sources, library and package");
+      entry.problem(
+          "sources",
+          "the component needs exactly one of sources, library, package and, in C++, cmake");
     }
     Map<String, String> properties = new HashMap<>();
     entry
@@ -246,7 +249,7 @@ final class ProfileReader {
         language(entry, "language", entry.requiredText("language")).orElse(Language.JAVA);
     return new Component(
         language,
-        entry.text("sources").orElse(null),
+        entry.text("sources").or(() -> CppBuildReader.cmakeProject(entry)).orElse(null),
         entry.text("library").orElse(null),
         entry.text("headers").orElse(null),
         entry.text("header").orElse(null),

@@ -3,8 +3,10 @@ package org.sitaf.core.activity;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -43,6 +45,38 @@ class CppBuildReaderTest {
     assertThat(build.flags()).hasSize(7);
     assertThat(read("standard: 14\nsources: c/", Language.CPP).standardOfHarness()).isEqualTo(17);
     assertThat(read("sources: c/", Language.CPP)).isEqualTo(CppBuild.DEFAULT);
+  }
+
+  @Test
+  void readsTheTargetOfACmakeProject() {
+    CppBuild build =
+        read(
+            "cmake: {project: component/, target: control::core, options: {WITH_GUI: OFF, N: 3}}",
+            Language.CPP);
+
+    assertThat(diagnostics.all()).isEmpty();
+    assertThat(build.cmake())
+        .isEqualTo(new CmakeTarget("control::core", Map.of("WITH_GUI", "OFF", "N", "3")));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          cmake: {project: c/}                                       | target
+          cmake: {project: c/, target: '-DX'}                        | no name of a target
+          cmake: {project: c/, target: '$<TARGET_FILE:x>'}           | no name of a target
+          cmake: {project: c/, target: core, goal: x}                | goal
+          cmake: {project: c/, target: core, options: {'A B': 1}}    | variable of CMake
+          {cmake: {project: c/, target: core}, flags: [-O3]}         | CMakeLists.txt
+          {cmake: {project: c/, target: core}, defines: [A]}         | CMakeLists.txt
+          """)
+  void refusesOtherEntriesOfACmakeProject(String text, String message) {
+    read(text, Language.CPP);
+
+    assertThat(diagnostics.all()).isNotEmpty();
+    assertThat(diagnostics.all().toString()).contains(message);
   }
 
   @ParameterizedTest

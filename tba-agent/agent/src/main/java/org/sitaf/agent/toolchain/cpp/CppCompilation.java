@@ -18,6 +18,8 @@ import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.cpp.cmake.CmakeProject;
+import org.sitaf.agent.toolchain.cpp.cmake.LinkedTarget;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 import org.sitaf.core.activity.ActivityProfile;
@@ -52,17 +54,47 @@ final class CppCompilation {
     this.cache = cache;
     this.sources = new CppSources(compilation);
     this.output = new CompilerOutput(sources::place);
-    this.libraries = CppLibraries.of(compilation);
+    this.libraries = CppLibraries.of(compilation, cmake().orElse(null));
     List<Path> folders = new ArrayList<>(List.of(runtime.include()));
     folders.addAll(libraries.headerFolders());
     folders.addAll(compiler.headerFolders());
     // Their content determines the name of the runtime's folder, which is part of each command.
     List<Path> known = List.of(runtime.include(), runtime.precompiled());
     this.check = sources.inputCheck(folders, known);
-    this.tools =
-        new ConfinedTools(
-            compilation, List.of(runtime.include(), runtime.precompiled(), runtime.library()));
+    List<Path> readable =
+        new ArrayList<>(List.of(runtime.include(), runtime.precompiled(), runtime.library()));
+    LinkedTarget target = libraries.cmake();
+    if (target != null) {
+      readable.add(target.folder());
+    }
+    this.tools = new ConfinedTools(compilation, readable);
     this.objects = compilation.scratch().resolve("objects");
+  }
+
+  /** Builds the component's CMake project, if it is one. */
+  private Optional<LinkedTarget> cmake()
+      throws CompilationException, IOException, InterruptedException {
+    ActivityProfile profile = compilation.application().activity().profile();
+    if (profile.component().cpp().cmake() == null) {
+      return Optional.empty();
+    }
+    sources.setTimes();
+    List<String> common = new ArrayList<>(Compiler.sanitizing(profile.sanitizers()));
+    common.add("-ffile-prefix-map=" + compilation.sources() + "/=");
+    List<String> ofCpp = new ArrayList<>(List.of("-pthread", Compiler.WITH_WARNINGS));
+    ofCpp.addAll(common);
+    ofCpp.addAll(compiler.plainDiagnostics());
+    try {
+      return Optional.of(new CmakeProject(compilation, compiler.program(), ofCpp, common).build());
+    } catch (CmakeProject.BuildFailedException e) {
+      output.read(e.errors());
+      requireSuccess(
+          String.valueOf(e.getMessage()),
+          NOT_LINKED,
+          "",
+          List.of(new ToolResult(1, "", e.errors())));
+      throw new IllegalStateException(e);
+    }
   }
 
   void run() throws CompilationException, IOException, InterruptedException {
@@ -163,13 +195,15 @@ final class CppCompilation {
     if (compiled == null || compiled.end().code() != 0) {
       return;
     }
-    Optional<Inputs> read = unit.inputs(compiled, check);
+    Optional<Inputs> read = unit.inputs(compiled.without(libraries::isBuilt), check);
     LOGGER.log(
         System.Logger.Level.DEBUG,
         read.isPresent() ? "{0}: compiled" : "{0}: compiled; its inputs are uncertain",
         unit.source().path());
     if (read.isPresent()) {
-      cache.keep(unit.key(), read.get(), files(unit));
+      if (libraries.compileFlags().stream().noneMatch(libraries::isBuilt)) {
+        cache.keep(unit.key(), read.get(), files(unit));
+      }
       inputs.add(read.get());
     }
   }
@@ -177,6 +211,10 @@ final class CppCompilation {
   /** Keeps the warnings with the program, for builds that take it from a cache. */
   private void writeWarnings(List<TranslationUnit> units) throws IOException {
     CompilerOutput printed = new CompilerOutput(sources::place);
+    LinkedTarget target = libraries.cmake();
+    if (target != null) {
+      printed.readWarnings(target.warnings());
+    }
     for (TranslationUnit unit : units) {
       Path file = files(unit).get(TranslationUnit.WARNINGS);
       if (file != null) {
@@ -196,8 +234,12 @@ final class CppCompilation {
     // An undefined reference is the component's, whichever object it is in.
     requireSuccess(NOT_LINKED, NOT_LINKED, "; linked " + libraries(), List.of(end));
     await(cacheTask);
-    if (inputs.size() == units.size()) {
-      linking.note(inputs);
+    LinkedTarget target = libraries.cmake();
+    Optional<Inputs> ofProject = target == null ? Optional.empty() : target.inputs();
+    if (inputs.size() == units.size() && (target == null || ofProject.isPresent())) {
+      List<Inputs> all = new ArrayList<>(inputs);
+      ofProject.ifPresent(all::add);
+      linking.note(all);
     }
   }
 

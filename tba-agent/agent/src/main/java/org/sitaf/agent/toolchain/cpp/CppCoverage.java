@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.coverage.GcovReport;
+import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.verdict.Coverage;
 
 /**
@@ -20,13 +21,15 @@ record CppCoverage(Path notes, Path scratch, Sandbox sandbox, String sources) {
   private static final String ACTIVITY = "activity/";
 
   /**
-   * Empty if coverage is off, the component has no sources, gcov is not installed, or it does not
-   * support the compiler.
+   * Empty if coverage is off, the component has no sources that SITAF compiles, gcov is not
+   * installed, or it does not support the compiler.
    */
   static Optional<CppCoverage> of(Compilation compilation, Compiler compiler) {
-    String sources = compilation.application().activity().profile().component().sources();
+    Component component = compilation.application().activity().profile().component();
+    String sources = component.sources();
     if (!compilation.coverage()
         || sources == null
+        || component.cpp().cmake() != null
         || !compiler.isMeasuredByGcov()
         || Tools.find("gcov").isEmpty()) {
       return Optional.empty();

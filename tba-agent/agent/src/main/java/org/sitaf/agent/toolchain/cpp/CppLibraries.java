@@ -10,21 +10,26 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.cpp.cmake.LinkedTarget;
 import org.sitaf.core.activity.ActivityProfile;
 
 /**
- * Libraries of a component: its own, external ones, and system packages known to pkg-config.
+ * Libraries of a component: its own, external ones, system packages known to pkg-config, and what
+ * its CMake project built.
  *
  * @param compileFlags options for every translation unit
  * @param linkFlags options after the object files
+ * @param cmake null if the component is no CMake project
  */
-record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
+record CppLibraries(
+    List<String> compileFlags, List<String> linkFlags, @Nullable LinkedTarget cmake) {
   private static final Pattern PACKAGE =
       Pattern.compile("([A-Za-z0-9][A-Za-z0-9+._-]*)(?:==([A-Za-z0-9.+~:-]+))?");
   private static final Pattern SONAME = Pattern.compile("\\(SONAME\\).*\\[([^/\\]]+)]");
@@ -34,8 +39,12 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     linkFlags = List.copyOf(linkFlags);
   }
 
-  /** Checks the libraries and copies shared ones next to the program. */
-  static CppLibraries of(Compilation compilation)
+  /**
+   * Checks the libraries and copies shared ones next to the program.
+   *
+   * @param cmake null if the component is no CMake project
+   */
+  static CppLibraries of(Compilation compilation, @Nullable LinkedTarget cmake)
       throws CompilationException, IOException, InterruptedException {
     ActivityProfile profile = compilation.application().activity().profile();
     List<SourceDiagnostic> problems = new ArrayList<>();
@@ -59,11 +68,28 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
         link.add(copyToOutput(compilation, path).toString());
       }
     }
+    if (cmake != null) {
+      compile.addAll(cmake.compileFlags());
+      link.addAll(cmake.linkFlags());
+      for (Path library : cmake.sharedLibraries()) {
+        copyToOutput(compilation, library);
+      }
+    }
     addPackages(profile, compile, link, problems);
     if (!problems.isEmpty()) {
       throw new CompilationException("the component's libraries cannot be used", problems);
     }
-    return new CppLibraries(compile, link);
+    return new CppLibraries(compile, link, cmake);
+  }
+
+  /** The C++ standard for sources that use the libraries, at least the given one. */
+  int standard(int atLeast) {
+    return cmake == null ? atLeast : Math.max(atLeast, cmake.standard());
+  }
+
+  /** Whether a file is output of the component's CMake project. */
+  boolean isBuilt(String path) {
+    return cmake != null && path.startsWith(cmake.folder() + "/");
   }
 
   /** The current flags of the component's packages; empty if it has none. */

@@ -49,7 +49,12 @@ final class CppSources {
       }
     }
     FileTree files = application.activity().files();
+    Component component = application.activity().profile().component();
     for (String folder : userFolders()) {
+      if (component.cpp().cmake() != null && folder.equals(component.sources())) {
+        // CMake compiles them.
+        continue;
+      }
       for (String path : files.below(folder).paths()) {
         if (isUnit(path)) {
           units.add(unit("activity/" + withTrailingSlash(folder) + path, false));

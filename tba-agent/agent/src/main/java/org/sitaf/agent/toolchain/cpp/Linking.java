@@ -87,7 +87,10 @@ final class Linking {
     }
     // The other files belong to the application or are covered by the toolchain's identity.
     List<String> ofMachine =
-        all.stream().filter(path -> applicationFolders().noneMatch(path::startsWith)).toList();
+        all.stream()
+            .filter(path -> applicationFolders().noneMatch(path::startsWith))
+            .filter(path -> !libraries.isBuilt(path))
+            .toList();
     Optional<Inputs> inputs =
         InputCheck.ofLinker(ofMachine, compiler.libraryFolders(), startMillis);
     if (inputs.isEmpty()) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
@@ -68,8 +69,9 @@ record TranslationUnit(
     List<String> command = new ArrayList<>(List.of(compiler.program().toString()));
     ActivityProfile profile = compilation.application().activity().profile();
     CppBuild build = profile.component().cpp();
-    command.addAll(
-        Compiler.options(source.ofHarness() ? build.standardOfHarness() : build.standard()));
+    int standard =
+        libraries.standard(source.ofHarness() ? build.standardOfHarness() : build.standard());
+    command.addAll(Compiler.options(standard));
     command.add(source.ofHarness() ? Compiler.WITHOUT_WARNINGS : Compiler.WITH_WARNINGS);
     Set<Sanitizer> sanitizers = profile.sanitizers();
     command.addAll(Compiler.sanitizing(sanitizers));
@@ -79,7 +81,7 @@ record TranslationUnit(
       command.add("--coverage");
     }
     if (source.ofHarness()) {
-      if (sanitizers.isEmpty() && build.standardOfHarness() == CppBuild.DEFAULT_STANDARD) {
+      if (sanitizers.isEmpty() && standard == CppBuild.DEFAULT_STANDARD) {
         // It is compiled with the default options, and used only if it is included first.
         command.addAll(List.of("-I", runtime.precompiled().toString()));
       }
@@ -140,7 +142,15 @@ record TranslationUnit(
       ToolResult end,
       long startMillis,
       @Nullable List<String> included,
-      @Nullable List<String> assembled) {}
+      @Nullable List<String> assembled) {
+    /** Without files that are not inputs of their own, because SITAF knows how they are made. */
+    Compiled without(Predicate<String> file) {
+      return included == null
+          ? this
+          : new Compiled(
+              end, startMillis, included.stream().filter(file.negate()).toList(), assembled);
+    }
+  }
 
   /**
    * Compiles the unit.

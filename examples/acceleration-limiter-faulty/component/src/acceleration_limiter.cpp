@@ -1,0 +1,16 @@
+#include "limiter/acceleration_limiter.hpp"
+
+#include <stdexcept>
+
+#include "limiter/limits.hpp"
+
+namespace limiter {
+
+double AccelerationLimiter::Limit(double velocity, double target, double time_step) const {
+  if (!(time_step > 0.0)) throw std::invalid_argument("the time step must be positive");
+  // The fault: the limit of a second is applied to each step while braking.
+  const bool brakes = velocity * target < velocity * velocity;
+  return within(target, velocity, brakes ? kMaxAcceleration : kMaxAcceleration * time_step);
+}
+
+}  // namespace limiter
