@@ -21,36 +21,67 @@ if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
   "$python" -m pip install --quiet "$home/sim-bridge[robots]"
 fi
 
-section "Simulation bridge: format, lint, types, tests"
-cd "$home/sim-bridge"
-bash check.sh "$python"
-if $fast; then "$python" -m pytest -q -m "not slow"; else "$python" -m pytest -q; fi
+bridge_tests() {
+  cd "$home/sim-bridge"
+  bash check.sh "$python"
+  if $fast; then "$python" -m pytest -q -m "not slow"; else "$python" -m pytest -q; fi
+}
 
-section "Runtime of Python tests: format, lint, types, tests"
+runtime_tests() {
+  cd "$home/tba-agent/runtime-python"
+  bash check.sh "$python"
+  "$python" -m pytest -q
+  bash "$home/tba-agent/runtime-cpp/check.sh"
+}
+
 cd "$home/tba-agent/runtime-python"
 if newer_than "$state/runtime-python.stamp" "$home/tba-agent/runtime-python" "$home/proto"; then
   "$python" -m pip install --quiet --editable ".[dev]"
   touch "$state/runtime-python.stamp"
 fi
-bash check.sh "$python"
-"$python" -m pytest -q
 
-section "Runtime of C++ tests: format, tests"
-bash "$home/tba-agent/runtime-cpp/check.sh"
+# These run while Maven compiles and tests, because many tests wait for other processes.
+beside=("bridge_tests:Simulation bridge: format, lint, types, tests" "runtime_tests:Runtimes of Python and C++ tests: format, lint, types, tests")
+mkdir -p "$state/log"
+pids=()
+for entry in "${beside[@]}"; do
+  (set -e; "${entry%%:*}") >"$state/log/${entry%%:*}.log" 2>&1 &
+  pids+=($!)
+done
+trap 'for pid in "${pids[@]}"; do pkill -P "$pid" || true; done' EXIT
+
+# await_beside: prints the output of these tests when they have ended, and fails if one has failed.
+await_beside() {
+  local failed=false
+  for i in "${!pids[@]}"; do
+    wait "${pids[$i]}" || failed=true
+    section "${beside[$i]#*:}"
+    cat "$state/log/${beside[$i]%%:*}.log"
+  done
+  pids=()
+  ! $failed
+}
 
 section "Java and portal: format, lint, types, tests"
 cd "$home"
 if $fast; then
   mvn -B -ntp -q -T 2 verify -DexcludedGroups=slow -Dportal.check=check:changed -Dsitaf.bridge.python="$python"
+  await_beside
   exit 0
 fi
 touch "$state/java.begun"
+# The agent's tests and the launcher compile the same runtime of C++ applications, which takes a minute.
+compiled=$home/tba-agent/agent/target/test-cache/cpp/runtime
+[ ! -d "$state/cache/cpp/runtime" ] || [ -d "$compiled" ] || { mkdir -p "$compiled" && cp -r "$state/cache/cpp/runtime/." "$compiled"; }
 mvn -B -ntp -T 2 verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
 
 # Install the tested build, so that the launcher does not build again.
 locked
 keep_java
 unlocked
+
+[ ! -d "$compiled" ] || [ -d "$state/cache/cpp/runtime" ] || { mkdir -p "$state/cache/cpp/runtime" && cp -r "$compiled/." "$state/cache/cpp/runtime"; }
+await_beside
 
 if ! "$python" -c 'import dateutil, playwright, pydantic, schemathesis, urllib3, xdist' 2>/dev/null; then
   # playwright drives Debian's Chromium; schemathesis sends requests generated from the OpenAPI document; xdist runs test
