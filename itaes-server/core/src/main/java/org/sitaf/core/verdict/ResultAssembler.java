@@ -164,7 +164,7 @@ public final class ResultAssembler {
         .withSteps(result.steps());
   }
 
-  private static CaseResult notExecuted(TestCase testCase, String reason) {
+  private CaseResult notExecuted(TestCase testCase, String reason) {
     return new CaseResult(
             testCase.no(),
             Verdict.DONT,
@@ -173,6 +173,6 @@ public final class ResultAssembler {
             List.of(),
             null,
             reason)
-        .withSteps(SequenceVerdicts.notExecuted(testCase, reason));
+        .withSteps(sequences == null ? List.of() : sequences.notExecuted(testCase, reason));
   }
 }

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.TestModel;
@@ -15,6 +16,7 @@ import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.sequence.AbstractState;
 import org.sitaf.core.suite.sequence.StepStates;
 import org.sitaf.core.verdict.CaseRecord.Outcome;
+import org.sitaf.core.verdict.StepResult.Kind;
 
 /**
  * Judges sequences: each step as a call of its own model, then the model's own post-conditions over
@@ -58,8 +60,8 @@ final class SequenceVerdicts {
   }
 
   /** The steps of a case that was not executed. */
-  static List<StepResult> notExecuted(TestCase testCase, String reason) {
-    return testCase.steps().stream().map(s -> missing(s, Verdict.DONT, false, reason)).toList();
+  List<StepResult> notExecuted(TestCase testCase, String reason) {
+    return testCase.steps().stream().map(s -> missing(s, false, reason)).toList();
   }
 
   /**
@@ -96,55 +98,67 @@ final class SequenceVerdicts {
     for (int i = 0; i < testCase.steps().size(); i++) {
       TestStep step = testCase.steps().get(i);
       if (i >= record.steps().size()) {
-        results.add(withoutRecord(testCase, record, i, failed));
+        results.add(missing(step, failed, whyMissing(testCase, record)));
       } else {
         StepRecord ended = record.steps().get(i);
-        results.add(judge(testCase, step, i, ended, state, failed));
         // Only a step that ended without an error updates the state.
-        if (ended.record().outcome() == Outcome.RETURNED) {
-          state = state.flatMap(before -> states.after(before, step));
-        }
+        Optional<AbstractState> after =
+            ended.record().outcome() == Outcome.RETURNED
+                ? state.flatMap(before -> states.after(before, step))
+                : state;
+        results.add(judge(testCase, step, i, ended, state, after, failed));
+        state = after;
       }
       failed |= results.get(i).verdict() != Verdict.PASS;
     }
     return results;
   }
 
-  /** A component that ends its process is an error of the step that runs; the rest does not run. */
-  private static StepResult withoutRecord(
-      TestCase testCase, CaseRecord record, int index, boolean failed) {
-    TestStep step = testCase.steps().get(index);
-    int first = record.steps().size();
-    if (record.outcome() == Outcome.ERROR && index == first) {
-      return missing(step, Verdict.ERROR, failed, record.message());
+  /** Why a step has no record: the case ended before. */
+  private static String whyMissing(TestCase testCase, CaseRecord record) {
+    int ended = record.steps().size();
+    if (ended > 0) {
+      return "not executed: the sequence ended at "
+          + StepResult.label(ended, testCase.steps().get(ended - 1).name());
     }
-    int last = record.outcome() == Outcome.ERROR ? first : Math.max(0, first - 1);
-    return missing(
-        step,
-        Verdict.DONT,
-        failed,
-        record.outcome() == Outcome.NOT_CALLED
-            ? record.message()
-            : "not executed: the sequence ended at "
-                + StepResult.label(last + 1, testCase.steps().get(last).name()));
+    return record.outcome() == Outcome.ERROR
+        ? "not executed: the case failed before its first step"
+        : record.message();
   }
 
-  private static StepResult missing(
-      TestStep step, Verdict verdict, boolean failed, String message) {
+  private StepResult missing(TestStep step, boolean failed, String message) {
     return new StepResult(
         step.name(),
-        verdict,
+        step.valid() ? Kind.VALID : Kind.INVALID,
+        Verdict.DONT,
         failed,
-        step.values(),
-        expected(step),
+        inputs(step),
+        step.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList(),
         List.of(),
         null,
         null,
-        message);
+        message,
+        null,
+        null);
   }
 
-  private static List<NamedValue> expected(TestStep step) {
-    return step.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList();
+  /** The inputs of a step by name. */
+  private List<NamedValue> inputs(TestStep step) {
+    TestModel model = models.get(step.name());
+    return model == null
+        ? List.of()
+        : IntStream.range(0, Math.min(step.values().size(), model.inputs().size()))
+            .mapToObj(i -> new NamedValue(model.inputs().get(i).name(), step.values().get(i)))
+            .toList();
+  }
+
+  private Kind kind(TestStep step, Optional<AbstractState> before) {
+    if (step.valid()) {
+      return Kind.VALID;
+    }
+    return before.isPresent() && !states.isAllowed(before.get(), step)
+        ? Kind.FORBIDDEN
+        : Kind.INVALID;
   }
 
   private StepResult judge(
@@ -153,12 +167,16 @@ final class SequenceVerdicts {
       int index,
       StepRecord ended,
       Optional<AbstractState> state,
+      Optional<AbstractState> after,
       boolean failed) {
     CallVerdicts call = calls.get(step.name());
-    double at = ended.atNanos() / 1e9;
+    Double at = ended.atNanos() < 0 ? null : ended.atNanos() / 1e9;
+    String before = state.map(states::text).orElse(null);
+    String then = after.map(states::text).orElse(null);
     if (call == null) {
       return new StepResult(
           step.name(),
+          Kind.VALID,
           ofEvent(ended.record().outcome()),
           failed,
           List.of(),
@@ -166,21 +184,26 @@ final class SequenceVerdicts {
           List.of(),
           at,
           null,
-          ended.record().message());
+          ended.record().message(),
+          before,
+          then);
     }
     Map<String, Object> surroundings = new HashMap<>(state.map(states::variables).orElse(Map.of()));
     surroundings.put(SequenceSpec.STEP, (long) index + 1);
     CaseResult result = call.judge(ofStep(testCase, step), ended.record(), surroundings).result();
     return new StepResult(
         step.name(),
+        kind(step, state),
         result.verdict(),
         failed,
-        step.values(),
+        inputs(step),
         result.expected(),
         result.actual(),
         at,
         result.time(),
-        result.message());
+        result.message(),
+        before,
+        then);
   }
 
   private static Verdict ofEvent(Outcome outcome) {
@@ -199,16 +222,21 @@ final class SequenceVerdicts {
   private static CaseResult result(TestCase testCase, CaseRecord record, List<StepResult> steps) {
     Verdict verdict = Verdict.PASS;
     String message = "";
+    if (record.outcome() == Outcome.ERROR && record.steps().isEmpty()) {
+      // For example, an exception in the constructor of the component.
+      verdict = Verdict.ERROR;
+      message = "before the first step: " + record.message();
+    }
     for (int i = 0; i < steps.size() && verdict == Verdict.PASS; i++) {
       StepResult step = steps.get(i);
       if (step.verdict() != Verdict.PASS) {
         verdict = step.verdict();
-        message = StepResult.label(i + 1, step.name()) + ": " + step.message();
+        message = step.label(i + 1) + ": " + step.message();
       }
     }
     if (verdict == Verdict.PASS && record.outcome() != Outcome.RETURNED) {
       verdict = record.outcome() == Outcome.NOT_CALLED ? Verdict.DONT : Verdict.ERROR;
-      message = record.message();
+      message = "after the last step: " + record.message();
     }
     return new CaseResult(
             testCase.no(),

@@ -69,6 +69,7 @@ class SequenceVerdictsTest {
       "steps.all(s, s.name != \"Get\" || s.outputs.value <= 3 && s.error == \"\" && s.time >= 0.0)";
 
   private String condition = ALL;
+  private String cases = SUITE;
 
   private static byte[] utf8(String text) {
     return text.getBytes(StandardCharsets.UTF_8);
@@ -80,7 +81,7 @@ class SequenceVerdictsTest {
   }
 
   private CaseResult judge(CaseRecord record) {
-    TestSuite suite = TestSuiteXml.read(new ByteArrayInputStream(utf8(SUITE)), "suite.xml");
+    TestSuite suite = TestSuiteXml.read(new ByteArrayInputStream(utf8(cases)), "suite.xml");
     CaseResult result = new ResultAssembler(model(), suite).judge(record);
     assertThat(reread(result, suite)).isEqualTo(result);
     return result;
@@ -180,7 +181,10 @@ class SequenceVerdictsTest {
   void a_component_that_dies_is_an_error_of_its_step_and_the_rest_is_not_executed() {
     CaseRecord died =
         CaseRecord.error(1, "the test application ended with signal 11")
-            .with(List.of(step(1, "Add", "")));
+            .with(
+                List.of(
+                    step(1, "Add", ""),
+                    StepRecord.error(1, 2, "Night", "the test application ended with signal 11")));
     CaseResult result = judge(died);
     assertThat(result.verdict()).isEqualTo(Verdict.ERROR);
     assertThat(result.message())
@@ -197,6 +201,58 @@ class SequenceVerdictsTest {
     assertThat(verdicts(result))
         .isEqualTo(Arrays.asList(Verdict.PASS, Verdict.DONT, Verdict.DONT, Verdict.DONT));
     assertThat(result.verdict()).isEqualTo(Verdict.DONT);
+  }
+
+  @Test
+  void an_exception_in_the_constructor_is_no_error_of_the_first_step() {
+    CaseResult result = judge(CaseRecord.error(1, "ValueError: no such port"));
+    assertThat(result.verdict()).isEqualTo(Verdict.ERROR);
+    assertThat(result.message()).isEqualTo("before the first step: ValueError: no such port");
+    assertThat(verdicts(result)).containsOnly(Verdict.DONT);
+    assertThat(result.steps().get(0).message())
+        .isEqualTo("not executed: the case failed before its first step");
+  }
+
+  @Test
+  void steps_have_named_inputs_and_the_abstract_states_around_them() {
+    CaseResult result = judge(withValue("3"));
+    assertThat(result.steps().get(0).inputs()).containsExactly(new NamedValue("by", "2"));
+    assertThat(result.steps().get(0).before()).isEqualTo("count=0");
+    assertThat(result.steps().get(2).after()).isEqualTo("count=3");
+    assertThat(result.steps().get(3).before()).isEqualTo("count=3");
+  }
+
+  @Test
+  void a_call_without_outputs_that_should_have_thrown_fails() {
+    condition = "true";
+    cases =
+        SUITE
+            .replace("class=\"valid\"", "class=\"invalid\"")
+            .replace(
+                "<step name=\"Add\"><value>1</value></step>",
+                "<step name=\"Add\" class=\"invalid\"><value>1</value>"
+                    + "<expected>!error:Full</expected></step>");
+    CaseResult result = judge(withValue("3"));
+    assertThat(result.verdict()).isEqualTo(Verdict.FAIL);
+    assertThat(result.message())
+        .isEqualTo("step 3 (Add, invalid value): expected the error Full, but it returned");
+  }
+
+  @Test
+  void a_diagram_has_the_executed_steps_and_those_that_are_allowed() {
+    StateDiagram diagram =
+        StateDiagram.of(model(), List.of(judge(withValue("4"))), 1).orElseThrow();
+    assertThat(diagram.states().get(0)).isEqualTo(new StateDiagram.State("count=0", 1));
+    assertThat(diagram.isComplete()).isTrue();
+    assertThat(diagram.transitions().get(0).step()).isEqualTo("Get");
+    assertThat(diagram.transitions().get(0).failed()).isEqualTo(1);
+    assertThat(diagram.transitions().get(0).failedCase()).isEqualTo(1);
+    // From 0: Add by 2, Add by 1, Night, Get; only the first one was executed there.
+    assertThat(
+            diagram.transitions().stream()
+                .filter(t -> t.from() == 0)
+                .map(t -> t.step() + " " + t.isCovered()))
+        .containsExactlyInAnyOrder("Add true", "Add false", "Night false", "Get false");
   }
 
   @Test

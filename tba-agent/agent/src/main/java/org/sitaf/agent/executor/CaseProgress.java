@@ -168,9 +168,7 @@ final class CaseProgress implements ResultsChannel.Lines {
     TestCase testCase = current();
     if (steps.size() < testCase.steps().size()) {
       // The process continues with the next step.
-      int number = steps.size() + 1;
-      String name = testCase.steps().get(number - 1).name();
-      steps.add(StepRecord.error(testCase.no(), number, name, message));
+      steps.add(currentStepFailed(message));
     } else {
       currentFailed(message);
     }
@@ -273,8 +271,20 @@ final class CaseProgress implements ResultsChannel.Lines {
     return all <= elapsedUs + CLOCK_TOLERANCE_US;
   }
 
-  /** Records an error for the current case, which the test application could not report. */
+  private StepRecord currentStepFailed(String message) {
+    int number = steps.size() + 1;
+    String name = current().steps().get(number - 1).name();
+    return StepRecord.error(current().no(), number, name, message);
+  }
+
+  /**
+   * Records an error for the current case, which the test application could not report. In a
+   * sequence, it is an error of the step that runs.
+   */
   void currentFailed(String message) {
+    if (ready && steps.size() < current().steps().size()) {
+      steps.add(currentStepFailed(message));
+    }
     List<StepRecord> ended = List.copyOf(steps);
     steps.clear();
     accept(CaseRecord.error(current().no(), message).with(ended));

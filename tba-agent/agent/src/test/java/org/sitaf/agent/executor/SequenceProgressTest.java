@@ -90,7 +90,17 @@ class SequenceProgressTest {
     step(1, 1, "Enable");
     progress.currentFailed("signal 11");
     assertThat(records.get(0).outcome()).isEqualTo(CaseRecord.Outcome.ERROR);
-    assertThat(names(records.get(0))).containsExactly("Enable");
+    List<StepRecord> steps = records.get(0).steps();
+    assertThat(names(records.get(0))).containsExactly("Enable", "Read");
+    assertThat(steps.get(0).record().outcome()).isEqualTo(CaseRecord.Outcome.RETURNED);
+    assertThat(steps.get(1).record().message()).isEqualTo("signal 11");
+  }
+
+  @Test
+  void a_process_that_never_was_ready_has_no_step_that_failed() {
+    progress.beginProcess();
+    progress.currentFailed("exit code 3");
+    assertThat(records.get(0).steps()).isEmpty();
   }
 
   @Test

@@ -221,6 +221,6 @@ final class CompiledStep {
     return new StepException(
         line,
         step.name() + "/" + part,
-        "cannot be evaluated in the state " + states.text(state) + ": " + why);
+        "cannot be evaluated in the state (" + states.text(state) + "): " + why);
   }
 }

@@ -107,7 +107,11 @@ final class KeptSequences {
         boolean isAllowed = compiled.isAllowed(state);
         if (!isAllowed && !compiled.hasForbidden()) {
           throw new IllegalArgumentException(
-              "step " + step.name() + " is not allowed in " + explored.variables().text(state));
+              "step "
+                  + step.name()
+                  + " is not allowed in ("
+                  + explored.variables().text(state)
+                  + ")");
         }
         Role role = !isAllowed ? Role.FORBIDDEN : row.isValid() ? Role.VALID : Role.INVALID_ROW;
         if (role != Role.VALID && failed) {

@@ -58,6 +58,6 @@ final class StateVariables {
   String text(AbstractState state) {
     return IntStream.range(0, variables.size())
         .mapToObj(i -> variables.get(i).name() + "=" + state.literals().get(i))
-        .collect(Collectors.joining(", ", "(", ")"));
+        .collect(Collectors.joining(", "));
   }
 }

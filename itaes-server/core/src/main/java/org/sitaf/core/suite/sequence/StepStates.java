@@ -41,6 +41,50 @@ public final class StepStates {
   }
 
   /**
+   * The state after a step that behaves as its expected value says: an expected error leaves the
+   * state.
+   *
+   * @return empty if the step is not allowed or the state cannot be computed
+   */
+  public Optional<AbstractState> planned(AbstractState before, TestStep step) {
+    CompiledStep compiled = steps.get(step.name());
+    try {
+      return compiled == null || !compiled.isAllowed(before)
+          ? Optional.empty()
+          : leaves(compiled, before, step) ? Optional.of(before) : after(before, step);
+    } catch (StepException e) {
+      return Optional.empty();
+    }
+  }
+
+  private boolean leaves(CompiledStep compiled, AbstractState before, TestStep step) {
+    return compiled.call().isPresent()
+        && CompiledStep.isError(compiled.expected(before, 1, row(compiled, step)));
+  }
+
+  private StepRow row(CompiledStep compiled, TestStep step) {
+    InputValidity validity = validities.get(step.name());
+    return compiled.call().isEmpty() || validity == null
+        ? StepRow.NONE
+        : StepRow.of(compiled.call().get().model(), step.values(), step.valid(), validity);
+  }
+
+  /** A state as results show it: {@code enabled=true, near=false}. */
+  public String text(AbstractState state) {
+    return variables.text(state);
+  }
+
+  /** Whether the guard of a step is true; also if it cannot be evaluated. */
+  public boolean isAllowed(AbstractState state, TestStep step) {
+    CompiledStep compiled = steps.get(step.name());
+    try {
+      return compiled == null || compiled.isAllowed(state);
+    } catch (StepException e) {
+      return true;
+    }
+  }
+
+  /**
    * The state after a step that ended without an error. A step that its guard forbids changes
    * nothing.
    *
@@ -55,12 +99,7 @@ public final class StepStates {
       if (!compiled.isAllowed(before)) {
         return Optional.of(before);
       }
-      InputValidity validity = validities.get(step.name());
-      StepRow row =
-          compiled.call().isEmpty() || validity == null
-              ? StepRow.NONE
-              : StepRow.of(compiled.call().get().model(), step.values(), step.valid(), validity);
-      return Optional.of(compiled.after(before, row));
+      return Optional.of(compiled.after(before, row(compiled, step)));
     } catch (StepException | IllegalArgumentException e) {
       return Optional.empty();
     }

@@ -134,15 +134,18 @@ public final class JunitXml {
   private static String step(int number, StepResult step) {
     return number
         + " "
-        + step.name()
-        + "("
-        + String.join(", ", step.values())
-        + "): "
+        + step.call()
+        + kind(step)
+        + ": "
         + step.verdict()
         + (step.afterFailure() ? " after a failure" : "")
         + (step.expected().isEmpty() ? "" : ", expected " + values(step.expected()))
         + (step.actual().isEmpty() ? "" : ", actual " + values(step.actual()))
         + (step.message().isEmpty() ? "" : ": " + step.message());
+  }
+
+  private static String kind(StepResult step) {
+    return step.kind() == StepResult.Kind.VALID ? "" : " (" + step.kind().words() + ")";
   }
 
   private static String values(List<NamedValue> values) {
