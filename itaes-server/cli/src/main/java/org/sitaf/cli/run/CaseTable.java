@@ -35,6 +35,10 @@ public final class CaseTable {
     this.result = result;
     columns.add(new Column("No", c -> Integer.toString(c.no())));
     columns.add(new Column("PF", c -> c.verdict().name()));
+    boolean sequences = result.cases().stream().anyMatch(c -> !c.steps().isEmpty());
+    if (sequences) {
+      columns.add(new Column("Steps", CaseTable::steps));
+    }
     for (int i = 0; i < result.parameters().size(); i++) {
       int at = i;
       String name = result.parameters().get(i).name();
@@ -46,8 +50,10 @@ public final class CaseTable {
         columns.add(new Column(name, c -> c.values().get(at)));
       }
     }
-    outputs("ER", CaseResult::expected);
-    outputs("MR", CaseResult::actual);
+    if (!sequences) {
+      outputs("ER", CaseResult::expected);
+      outputs("MR", CaseResult::actual);
+    }
     boolean repeated = result.cases().stream().anyMatch(c -> c.repeated() != null);
     if (repeated) {
       columns.add(
@@ -60,6 +66,13 @@ public final class CaseTable {
         new Column(
             repeated ? "First(us)" : "Time(us)",
             c -> c.time() == null ? "-" : ResultTable.number(c.time().total())));
+  }
+
+  /** The names of the steps; the one that decides is marked. */
+  private static String steps(CaseResult result) {
+    return result.steps().stream()
+        .map(s -> s.decides() ? "[" + s.name() + "]" : s.name())
+        .collect(Collectors.joining(" "));
   }
 
   /** One column for each output that any case has. */
@@ -135,6 +148,7 @@ public final class CaseTable {
     List<CaseResult> shown = group.cases().subList(0, Math.min(count, maxRows));
     if (!shown.isEmpty()) {
       print(shown, "  ", out);
+      StepTable.print(group.cases().get(0), "    ", out);
     }
     return shown.size();
   }
