@@ -25,7 +25,7 @@ export interface SuiteSearch {
   file?: string;
 }
 
-export const BUILD_TABS = ['table', 'graphs', 'coverage', 'log', 'history'] as const;
+export const BUILD_TABS = ['table', 'states', 'graphs', 'coverage', 'log', 'history'] as const;
 export type BuildTab = (typeof BUILD_TABS)[number];
 
 export interface BuildSearch {

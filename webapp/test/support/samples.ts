@@ -125,6 +125,7 @@ export function resultCase(no: number, verdict: Verdict, changes: Partial<Result
     verdict,
     trajectories: [],
     relations: [],
+    steps: [],
     processingTimeUs: 4 + (no % 9) / 4,
     ...changes,
   };

@@ -11,9 +11,11 @@ import {
   LiveCases,
   ResultGraphs,
   ResultView,
+  useFirstCases,
   type CaseFilter,
 } from '@/features/results';
 import { ResultHistory } from '@/features/history';
+import { StateDiagramView } from '@/features/states';
 import { useSuite } from '@/features/suites';
 import { ApiError, type Build, type ResultCase } from '@/shared/api';
 import { Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
@@ -25,6 +27,12 @@ export function BuildPage() {
   const shown = route.useSearch();
   const navigate = route.useNavigate();
   const build = useBuild(buildId);
+  const wantedCases = withoutAbsent<CaseFilter>({
+    verdict: shown.verdict,
+    parameter: shown.parameter,
+    value: shown.value,
+  });
+  const first = useFirstCases(buildId, wantedCases, build.data?.state === 'DONE').data?.items[0];
   if (build.isPending) return <Loading what="the build" />;
   if (!build.data) {
     return build.error instanceof ApiError && build.error.status === 404 ? (
@@ -55,11 +63,7 @@ export function BuildPage() {
         done ? (
           <ResultView
             buildId={buildId}
-            filter={withoutAbsent<CaseFilter>({
-              verdict: shown.verdict,
-              parameter: shown.parameter,
-              value: shown.value,
-            })}
+            filter={wantedCases}
             onFilter={filter}
             caseNo={shown.case}
             onCase={(no) => {
@@ -83,6 +87,24 @@ export function BuildPage() {
           <LiveTable build={build.data} caseDetails={caseDetails} />
         ),
     },
+    ...(done && first && first.steps.length > 0
+      ? [
+          {
+            value: 'states' as const,
+            label: 'States',
+            content: () => (
+              <StateDiagramView
+                buildId={buildId}
+                caseLink={(no) => (
+                  <RouteLink to="/builds/$buildId" params={{ buildId }} search={{ case: no }}>
+                    Case {no}
+                  </RouteLink>
+                )}
+              />
+            ),
+          },
+        ]
+      : []),
     ...(done
       ? [
           {

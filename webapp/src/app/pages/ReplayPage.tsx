@@ -2,10 +2,12 @@ import { Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import { NotFound } from '@/app/NotFound';
 import { useBuild } from '@/features/builds';
-import { CaseReplay, useRecordedCases } from '@/features/replay';
-import { CaseFacts, RelationRuns, useResult, useCase } from '@/features/results';
+import { CaseReplay, useRecordedCases, type StepMark } from '@/features/replay';
+import { CaseFacts, RelationRuns, StepList, useResult, useCase } from '@/features/results';
 import { callTime, SignalPlot, useSignals } from '@/features/signals';
-import { ApiError } from '@/shared/api';
+import { useStateDiagram } from '@/features/states';
+import { ApiError, type StepResult } from '@/shared/api';
+import { decides } from '@/shared/lib/steps';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
 
@@ -21,6 +23,8 @@ export function ReplayPage() {
   const done = build.data?.state === 'DONE';
   const item = useCase(buildId, done ? no : undefined);
   const signals = useSignals(buildId, no);
+  const steps = item.data?.steps ?? [];
+  const diagram = useStateDiagram(buildId, steps.length > 0);
   if (!Number.isSafeInteger(no) || no < 1) return <NotFound />;
   if (build.isPending) return <Loading what="the build" />;
   if (!build.data) {
@@ -57,6 +61,14 @@ export function ReplayPage() {
         startAt={(recording) =>
           at === undefined ? undefined : callTime(signals.data ?? null, recording) + at
         }
+        marks={(recording) =>
+          marksOf(
+            steps,
+            signals.data
+              ? callTime(signals.data, recording)
+              : (recording.times[0] ?? 0) + (diagram.data?.settleS ?? 0),
+          )
+        }
         plot={(recording, playback) => (
           <>
             {signals.error && (
@@ -80,6 +92,22 @@ export function ReplayPage() {
   );
 }
 
+/** The executed steps on the time axis of the recording. */
+function marksOf(steps: readonly StepResult[], begin: number): StepMark[] {
+  return steps.flatMap((step, index) =>
+    step.at === undefined
+      ? []
+      : {
+          no: index + 1,
+          time: begin + step.at,
+          name: step.name,
+          verdict: VERDICT_LABELS[step.verdict].label,
+          tone: step.verdict === 'PASS' ? 'pass' : step.verdict === 'DONT' ? 'none' : 'fail',
+          decides: decides(step),
+        },
+  );
+}
+
 function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
   const result = useResult(buildId);
   const item = useCase(buildId, no);
@@ -94,6 +122,7 @@ function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
           <UserText>{item.data.message}</UserText>
         </Text>
       )}
+      <StepList steps={item.data.steps} />
       <CaseFacts item={item.data} parameters={result.data.parameters} />
       <RelationRuns item={item.data} parameters={result.data.parameters} />
     </Section>

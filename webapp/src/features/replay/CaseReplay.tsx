@@ -4,6 +4,7 @@ import type { Build, Verdict } from '@/shared/api';
 import { Loading, ProblemAlert } from '@/shared/ui';
 import { NotRecorded } from './NotRecorded';
 import { Player } from './Player';
+import type { StepMark } from './StepMarks';
 import { useRecording } from './queries';
 import type { Recording } from './recording';
 import type { Playback } from './usePlayback';
@@ -19,6 +20,8 @@ interface CaseReplayProps {
   startAt?: ((recording: Recording) => number | undefined) | undefined;
   /** More about the case over time. Recording and playback are null if there is no recording. */
   plot?: ((recording: Recording | null, playback: Playback | null) => ReactNode) | undefined;
+  /** The steps of a sequence. */
+  marks?: ((recording: Recording) => readonly StepMark[]) | undefined;
   /** Whether `startAt` and `plot` are not known yet. */
   loading?: boolean;
 }
@@ -32,6 +35,7 @@ export function CaseReplay({
   onRequested,
   startAt,
   plot,
+  marks,
   loading = false,
 }: CaseReplayProps) {
   const { data, error, isPending } = useRecording(build.id, caseNo);
@@ -56,6 +60,7 @@ export function CaseReplay({
         label={`3D replay of case ${caseNo}`}
         facts={facts}
         startAt={startAt?.(data)}
+        marks={marks?.(data)}
         plot={plot && ((playback) => plot(data, playback))}
       />
       <Anchor

@@ -5,6 +5,7 @@ import { Readings, ReadingsTable } from './Readings';
 import { frameAt, type Recording } from './recording';
 import classes from './replay.module.css';
 import { StageView } from './StageView';
+import { StepMarks, type StepMark } from './StepMarks';
 import { usePlayback, type Playback } from './usePlayback';
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
@@ -21,12 +22,23 @@ interface PlayerProps {
   onEnd?: (() => void) | undefined;
   /** The time to show first, instead of playing from the begin. */
   startAt?: number | undefined;
+  /** The steps of a sequence. */
+  marks?: readonly StepMark[] | undefined;
   /** More about the case over time, shown below the scene. */
   plot?: ((playback: Playback) => ReactNode) | undefined;
 }
 
 /** Plays a recording: the scene, the time and the readings of the devices. */
-export function Player({ recording, verdict, label, facts, onEnd, startAt, plot }: PlayerProps) {
+export function Player({
+  recording,
+  verdict,
+  label,
+  facts,
+  onEnd,
+  startAt,
+  marks,
+  plot,
+}: PlayerProps) {
   // No autoplay if the user prefers reduced motion.
   const [autoplay] = useState(() => !window.matchMedia('(prefers-reduced-motion: reduce)').matches);
   const playback = usePlayback(recording.times, autoplay, startAt);
@@ -67,6 +79,15 @@ export function Player({ recording, verdict, label, facts, onEnd, startAt, plot 
             onReady={setBody}
           />
           <Controls recording={recording} playback={playback} frame={frame} />
+          {marks && marks.length > 0 && (
+            <StepMarks
+              marks={marks}
+              begin={playback.begin}
+              end={playback.end}
+              time={playback.time}
+              onSeek={playback.seek}
+            />
+          )}
           <Group gap="lg">
             <NativeSelect
               aria-label="Speed"

@@ -5,6 +5,7 @@ import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { UserText } from '@/shared/ui';
 import { CaseFacts, type Trajectory } from './CaseFacts';
 import { RelationRuns } from './RelationRuns';
+import { StepList } from './StepList';
 import classes from './results.module.css';
 
 interface CaseDrawerProps {
@@ -23,7 +24,7 @@ export function CaseDrawer({ item, parameters, onClose, details, momentLink }: C
       opened={item !== null}
       onClose={onClose}
       position="right"
-      size="lg"
+      size={item && item.steps.length > 0 ? 'xl' : 'lg'}
       title={item ? `Case ${item.no}: ${VERDICT_LABELS[item.verdict].label}` : ''}
       closeButtonProps={{ 'aria-label': 'Close' }}
     >
@@ -34,6 +35,7 @@ export function CaseDrawer({ item, parameters, onClose, details, momentLink }: C
               <UserText>{item.message}</UserText>
             </Text>
           )}
+          <StepList steps={item.steps} />
           <CaseFacts item={item} parameters={parameters} momentLink={momentLink} />
           <RelationRuns item={item} parameters={parameters} />
           {details?.(item)}

@@ -53,7 +53,8 @@ export function CaseTable({
     // eslint-disable-next-line react-hooks/exhaustive-deps
   }, [follow, total]);
   const outputs = useOutputs(rows.flatMap(({ item }) => item ?? []));
-  const columns: Columns = { groups, outputs, failures };
+  const sequences = useSequences(rows.some(({ item }) => item && item.steps.length > 0));
+  const columns: Columns = { groups, outputs, failures, sequences };
   const widths = widthsOf(columns);
   return (
     <Stack gap="xs">
@@ -95,6 +96,15 @@ interface Columns {
   groups: ColumnGroup[];
   outputs: readonly string[];
   failures: boolean;
+  /** Whether the cases are sequences of steps. */
+  sequences: boolean;
+}
+
+/** Whether a case seen so far is a sequence. */
+function useSequences(seen: boolean): boolean {
+  const [known, setKnown] = useState(seen);
+  if (seen && !known) setKnown(true);
+  return known || seen;
 }
 
 /** The outputs of all cases seen so far. */
@@ -118,11 +128,11 @@ function Space({ height }: { height: number }) {
 }
 
 /** Widths in rem. They are fixed, so that columns do not move while rows are loaded. */
-const WIDTHS = { no: 3.5, verdict: 8.5, message: 14, value: 5, time: 8.5 } as const;
+const WIDTHS = { no: 3.5, verdict: 8.5, message: 14, steps: 24, value: 5, time: 8.5 } as const;
 /** Maximum width of a column. */
 const MAX_WIDTH = 18;
 
-function widthsOf({ groups, outputs, failures }: Columns): number[] {
+function widthsOf({ groups, outputs, failures, sequences }: Columns): number[] {
   const inputs = groups.flatMap(({ label, columns }) => {
     const least = widthOfText(longestWord(label)) / columns.length;
     return columns.map(({ parameter }) => columnWidth(parameter.name, least));
@@ -131,6 +141,7 @@ function widthsOf({ groups, outputs, failures }: Columns): number[] {
     WIDTHS.no,
     WIDTHS.verdict,
     ...(failures ? [WIDTHS.message] : []),
+    ...(sequences ? [WIDTHS.steps] : []),
     ...inputs,
     ...outputGroups(failures).flatMap((label) => {
       const least = widthOfText(longestWord(label)) / outputs.length;
@@ -158,7 +169,7 @@ function outputGroups(failures: boolean): string[] {
   return ['Expected', 'Actual', ...(failures ? ['Actual − expected'] : [])];
 }
 
-function Head({ groups, outputs, failures }: Columns) {
+function Head({ groups, outputs, failures, sequences }: Columns) {
   const results = outputGroups(failures);
   return (
     <thead>
@@ -172,6 +183,11 @@ function Head({ groups, outputs, failures }: Columns) {
         {failures && (
           <th rowSpan={2} className={classes.text}>
             Message
+          </th>
+        )}
+        {sequences && (
+          <th rowSpan={2} className={classes.text}>
+            Steps
           </th>
         )}
         {groups.map((group) => (
@@ -214,7 +230,12 @@ interface CaseRowProps {
   onCase: (item: ResultCase) => void;
 }
 
-function CaseRow({ index, item, columns: { groups, outputs, failures }, onCase }: CaseRowProps) {
+function CaseRow({
+  index,
+  item,
+  columns: { groups, outputs, failures, sequences },
+  onCase,
+}: CaseRowProps) {
   const { label, sign } = VERDICT_LABELS[item.verdict];
   return (
     <tr data-verdict={item.verdict} aria-rowindex={index + 3} style={{ height: ROW_HEIGHT }}>
@@ -236,6 +257,11 @@ function CaseRow({ index, item, columns: { groups, outputs, failures }, onCase }
       {failures && (
         <td className={classes.message} title={item.message ?? undefined}>
           {item.message && <UserText>{item.message}</UserText>}
+        </td>
+      )}
+      {sequences && (
+        <td className={classes.message} title={item.steps.map(({ name }) => name).join(' ')}>
+          <UserText>{item.steps.map(({ name }) => name).join(' ')}</UserText>
         </td>
       )}
       {groups.flatMap((group) =>

@@ -2,6 +2,7 @@ export { CoverageView } from './CoverageView';
 export { LiveCases } from './LiveCases';
 export { CaseFacts } from './CaseFacts';
 export { RelationRuns } from './RelationRuns';
-export { useCase, useResult, type CaseFilter } from './queries';
+export { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
+export { StepList } from './StepList';
 export { ResultGraphs } from './ResultGraphs';
 export { ResultView } from './ResultView';

@@ -52,11 +52,12 @@ export function useFetchCases(buildId: string, filter: CaseFilter) {
 }
 
 /** The first page of the filtered cases, with their total number. */
-export function useFirstCases(buildId: string, filter: CaseFilter) {
+export function useFirstCases(buildId: string, filter: CaseFilter, enabled = true) {
   const { queryKey, fetchPage } = useFetchCases(buildId, filter);
   return useQuery({
     queryKey: [...queryKey, 'page', 0],
     queryFn: ({ signal }) => fetchPage(0, signal),
+    enabled,
     placeholderData: keepPreviousData,
     staleTime: Infinity,
   });

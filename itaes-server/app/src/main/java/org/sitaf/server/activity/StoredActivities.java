@@ -66,7 +66,7 @@ public class StoredActivities {
   }
 
   /** Reads an activity that is not stored. */
-  Activity read(FileTree files) {
+  public Activity read(FileTree files) {
     return packages.read(files);
   }
 

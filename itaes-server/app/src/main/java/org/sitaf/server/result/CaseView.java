@@ -10,6 +10,7 @@ import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.RelationResult;
+import org.sitaf.core.verdict.StepResult;
 import org.sitaf.core.verdict.TrajectoryResult;
 import org.sitaf.core.verdict.Verdict;
 
@@ -32,7 +33,9 @@ public record CaseView(
     @Schema(description = "time spent in virtual hardware, in microseconds")
         @Nullable Double hardwareUs,
     @Schema(description = "time spent in stubs, in microseconds") @Nullable Double stubUs,
-    @Schema(description = "why the verdict is not PASS") @Nullable String message) {
+    @Schema(description = "why the verdict is not PASS") @Nullable String message,
+    @Schema(description = "the steps of a sequence, in their order; empty if the case is one call")
+        List<StepView> steps) {
   public static CaseView of(CaseResult result) {
     CaseResult.ProcessingTime time = result.time();
     return new CaseView(
@@ -47,7 +50,52 @@ public record CaseView(
         result.repeated() == null ? null : RepeatedView.of(result.repeated()),
         time == null ? null : time.hardware(),
         time == null ? null : time.stub(),
-        result.message().isEmpty() ? null : result.message());
+        result.message().isEmpty() ? null : result.message(),
+        result.steps().stream().map(StepView::of).toList());
+  }
+
+  /** The result of a step of a sequence in the REST interface. */
+  @Schema(name = "StepResult")
+  public record StepView(
+      @Schema(description = "the call or event of the test model") String name,
+      @Schema(description = "FORBIDDEN: the guard is false; INVALID: a value is invalid")
+          StepResult.Kind kind,
+      Verdict verdict,
+      @Schema(
+              description =
+                  "whether an earlier step of the case failed, so that this verdict may be a"
+                      + " consequence")
+          boolean afterFailure,
+      @Schema(description = "by name of the input; empty for an event") Map<String, String> inputs,
+      @Schema(description = "by name of the output") Map<String, String> expected,
+      @Schema(description = "by name of the output") Map<String, String> actual,
+      @Schema(
+              description =
+                  "simulation time in seconds since the first step began; absent if it was not"
+                      + " executed")
+          @Nullable Double at,
+      @Schema(description = "time of the component in the call, in microseconds")
+          @Nullable Double processingTimeUs,
+      @Schema(description = "why the verdict is not PASS") @Nullable String message,
+      @Schema(description = "the abstract state before the step; absent if it is unknown")
+          @Nullable String before,
+      @Schema(description = "the abstract state after the step; absent if it is unknown")
+          @Nullable String after) {
+    static StepView of(StepResult step) {
+      return new StepView(
+          step.name(),
+          step.kind(),
+          step.verdict(),
+          step.afterFailure(),
+          byName(step.inputs()),
+          byOutput(step.expected()),
+          byOutput(step.actual()),
+          step.at(),
+          step.time() == null ? null : step.time().total(),
+          step.message().isEmpty() ? null : step.message(),
+          step.before(),
+          step.after());
+    }
   }
 
   /** The result of a trajectory condition in the REST interface. */
@@ -110,6 +158,12 @@ public record CaseView(
           calls.high(),
           calls.differ() ? calls.differs() : null);
     }
+  }
+
+  private static Map<String, String> byName(List<NamedValue> values) {
+    Map<String, String> byName = new LinkedHashMap<>();
+    values.forEach(v -> byName.put(v.output(), v.literal()));
+    return byName;
   }
 
   private static Map<String, String> byOutput(List<NamedValue> values) {

@@ -13,11 +13,14 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.TestResult;
 
-/** Writes a result as CSV (RFC 4180) with a line per case. */
+/** Writes a result as CSV (RFC 4180) with a line per case, or per step of a sequence. */
 final class ResultCsv {
   private ResultCsv() {}
 
   static byte[] write(TestResult result) {
+    if (result.cases().stream().anyMatch(c -> !c.steps().isEmpty())) {
+      return StepCsv.write(result);
+    }
     StringBuilder csv = new StringBuilder();
     List<String> header = new ArrayList<>(List.of("no"));
     result.parameters().stream().map(CaseParameter::name).forEach(header::add);
@@ -63,7 +66,7 @@ final class ResultCsv {
         .collect(Collectors.joining("; "));
   }
 
-  private static String number(@Nullable Double microseconds) {
+  static String number(@Nullable Double microseconds) {
     return microseconds == null ? "" : String.format(Locale.ROOT, "%.3f", microseconds);
   }
 }

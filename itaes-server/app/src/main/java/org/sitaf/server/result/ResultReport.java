@@ -13,10 +13,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.RelationCount;
+import org.sitaf.core.verdict.StepResult;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -56,7 +58,8 @@ record ResultReport(
       String expected,
       String actual,
       String time,
-      String message) {
+      String message,
+      List<StepTable> steps) {
     static Case of(CaseResult result) {
       OptionalDouble time = result.micros();
       return new Case(
@@ -66,7 +69,73 @@ record ResultReport(
           ResultCsv.values(result.expected()),
           ResultCsv.values(result.actual()),
           time.isEmpty() ? "" : number(time.getAsDouble()),
-          result.message());
+          result.message(),
+          StepTable.of(result));
+    }
+  }
+
+  /**
+   * The steps of a sequence, in a row below their case.
+   *
+   * @param columns number of columns of the table of cases
+   */
+  record StepTable(int columns, String open, String title, List<Step> rows) {
+    /** The columns besides the parameters: number, verdict, outputs, time and message. */
+    private static final int FIXED_COLUMNS = 6;
+
+    /** Empty if the case is one call. */
+    static List<StepTable> of(CaseResult result) {
+      List<Step> rows = new ArrayList<>();
+      for (int i = 0; i < result.steps().size(); i++) {
+        rows.add(Step.of(i + 1, result.steps().get(i)));
+      }
+      return rows.isEmpty()
+          ? List.of()
+          : List.of(
+              new StepTable(
+                  FIXED_COLUMNS + result.values().size(),
+                  result.verdict() == Verdict.PASS ? "" : "open",
+                  result.steps().stream().map(StepResult::name).collect(Collectors.joining(" ")),
+                  rows));
+    }
+  }
+
+  /** A step; {@code decides} is a class of the row of the first one that did not pass. */
+  record Step(
+      int no,
+      Verdict verdict,
+      String decides,
+      String call,
+      String remark,
+      String expected,
+      String actual,
+      String at,
+      String time,
+      String state,
+      String message) {
+    static Step of(int no, StepResult step) {
+      List<String> remarks = new ArrayList<>();
+      if (step.kind() != StepResult.Kind.VALID) {
+        remarks.add(step.kind().words());
+      }
+      if (step.afterFailure() && step.verdict() != Verdict.PASS) {
+        remarks.add("after a failure");
+      }
+      return new Step(
+          no,
+          step.verdict(),
+          step.decides() ? "decides" : "",
+          step.name()
+              + step.inputs().stream()
+                  .map(i -> i.output() + "=" + i.literal())
+                  .collect(Collectors.joining(", ", "(", ")")),
+          String.join(", ", remarks),
+          ResultCsv.values(step.expected()),
+          ResultCsv.values(step.actual()),
+          step.at() == null ? "" : Double.toString(step.at()),
+          step.time() == null ? "" : number(step.time().total()),
+          step.before() == null ? "" : step.before(),
+          step.message());
     }
   }
 

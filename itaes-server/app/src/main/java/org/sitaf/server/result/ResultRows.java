@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.StepResult;
 import org.sitaf.core.verdict.StubCalls;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -32,6 +33,9 @@ class ResultRows {
   private static final int MAX_OUTCOME = 500_000;
 
   private static final int MAX_TEXT = 1000;
+
+  private static final int MAX_OF_STEP = 10;
+  private static final int MAX_TEXT_OF_STEP = 200;
 
   private final JdbcClient jdbc;
   private final JdbcTemplate batches;
@@ -179,8 +183,30 @@ class ResultRows {
             new StubCalls(List.of(), outcome.calls().recorded().size() + outcome.calls().leftOut()),
             outcome.time(),
             cut(outcome.message()));
+    shortened = shortened.withSteps(outcome.steps().stream().map(ResultRows::shortened).toList());
     RepeatedCalls repeated = outcome.repeated();
     return repeated == null ? shortened : shortened.with(repeated);
+  }
+
+  /** A case has at most 200 steps, so that each may have a two-hundredth of the maximum. */
+  private static StepResult shortened(StepResult step) {
+    return new StepResult(
+        step.name(),
+        step.kind(),
+        step.verdict(),
+        step.afterFailure(),
+        step.inputs().stream().limit(MAX_OF_STEP).map(ResultRows::cutShort).toList(),
+        step.expected().stream().limit(MAX_OF_STEP).map(ResultRows::cutShort).toList(),
+        step.actual().stream().limit(MAX_OF_STEP).map(ResultRows::cutShort).toList(),
+        step.at(),
+        step.time(),
+        cut(step.message(), MAX_TEXT_OF_STEP),
+        step.before() == null ? null : cut(step.before(), MAX_TEXT_OF_STEP),
+        step.after() == null ? null : cut(step.after(), MAX_TEXT_OF_STEP));
+  }
+
+  private static NamedValue cutShort(NamedValue value) {
+    return new NamedValue(value.output(), cut(value.literal(), MAX_TEXT_OF_STEP / 4));
   }
 
   private static NamedValue cut(NamedValue value) {
@@ -188,6 +214,10 @@ class ResultRows {
   }
 
   private static String cut(String text) {
-    return text.length() <= MAX_TEXT ? text : text.substring(0, MAX_TEXT) + "…";
+    return cut(text, MAX_TEXT);
+  }
+
+  private static String cut(String text, int max) {
+    return text.length() <= max ? text : text.substring(0, max) + "…";
   }
 }

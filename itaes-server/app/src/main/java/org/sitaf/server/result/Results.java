@@ -90,7 +90,7 @@ public class Results {
    *
    * @throws RequestException if there is no result
    */
-  TestResult load(String buildId) {
+  public TestResult load(String buildId) {
     String sha256 = rows.sha256(buildId).orElseThrow(() -> noResult(buildId));
     return parsed.get(new Key(buildId, sha256), key -> read(document(key.buildId())));
   }

@@ -1,0 +1,104 @@
+"""The steps of sequences in the portal, with a real agent, a real simulation and a real browser."""
+
+import re
+
+import pytest
+
+from portal.browsing import ROOT, expect, home_of, serious, shot, zip_of
+
+
+@pytest.fixture(scope="module")
+def page(page, tab_of):
+    """A page in the same session whose user prefers reduced motion."""
+    with tab_of(reduced_motion="reduce", storage_state=page.context.storage_state()) as tab:
+        tab.goto(home_of(page))
+        yield tab
+
+
+@pytest.fixture(scope="module")
+def build(page, tmp_path_factory):
+    """The address of a finished build of the sensor that keeps a reading."""
+    folder = tmp_path_factory.mktemp("activity")
+    archive = zip_of(ROOT / "examples" / "ir-sensor-states-faulty", folder / "states.zip")
+    page.get_by_role("link", name="Activities", exact=True).click()
+    page.get_by_label("Zip file of an activity").set_input_files(archive)
+    page.get_by_role("button", name="Build now: ir-sensor-states-faulty LifeCycle").click()
+    page.get_by_role("tab", name="Log").wait_for()
+    page.get_by_role("heading", name="Result", exact=True).wait_for()
+    return page.url.split("?")[0]
+
+
+def result_of(page, build, path):
+    """A part of the result in the REST interface."""
+    answer = page.request.get(build.replace("/builds/", "/api/v1/builds/") + "/result" + path)
+    assert answer.ok, answer.text()
+    return answer
+
+
+def failed_case(page, build):
+    """The first case that failed, and the index of the step that decides."""
+    cases = result_of(page, build, "/cases?size=200").json()["items"]
+    case = next(case for case in cases if case["verdict"] == "FAIL")
+    return case, next(i for i, step in enumerate(case["steps"]) if step["verdict"] != "PASS")
+
+
+def test_a_case_opens_to_its_steps_and_marks_the_first_failure(page, build):
+    case, first = failed_case(page, build)
+    page.goto(f"{build}?case={case['no']}")
+    steps = page.get_by_role("dialog").get_by_role("table", name="Steps")
+    steps.wait_for()
+    deciding = steps.locator("tr[data-verdict][data-decides]")
+    expect(deciding).to_have_count(1)
+    expect(deciding.locator("td").first).to_have_text(str(first + 1))
+    expect(deciding).to_contain_text("IndexOfSensor = ")
+    expect(deciding).to_contain_text("state before: enabled=true")
+    expect(steps.locator("tr[data-verdict]")).to_have_count(len(case["steps"]))
+    shot(page, "steps")
+    assert serious(page) == []
+
+
+def test_a_forbidden_call_is_marked(page, build):
+    cases = result_of(page, build, "/cases?size=200").json()["items"]
+    no = next(c["no"] for c in cases if any(s["kind"] == "FORBIDDEN" for s in c["steps"]))
+    page.goto(f"{build}?case={no}")
+    expect(page.get_by_role("table", name="Steps")).to_contain_text("forbidden")
+
+
+def test_the_diagram_shows_states_that_failed_and_links_to_the_case(page, build):
+    page.goto(f"{build}?tab=states")
+    diagram = page.get_by_role("group", name="Diagram of the states")
+    diagram.wait_for()
+    # Three booleans.
+    expect(diagram.get_by_role("button")).to_have_count(8)
+    assert diagram.locator('path[data-coverage="failed"]').count() > 0
+    shot(page, "states")
+    assert serious(page) == []
+    table = page.get_by_role("table", name=re.compile("^Steps from enabled=true"))
+    expect(table.locator('tr[data-coverage="failed"]').first).to_contain_text("Read")
+    initial = diagram.get_by_role("button", name=re.compile("enabled=false, near=false, dropped=false"))
+    initial.click()
+    page.get_by_role("table", name="Steps from enabled=false, near=false, dropped=false").wait_for()
+
+
+def test_the_replay_has_marks_of_the_steps(page, build):
+    case, first = failed_case(page, build)
+    page.goto(f"{build}/cases/{case['no']}")
+    marks = page.get_by_role("group", name="Steps on the time axis")
+    marks.wait_for()
+    page.locator('[data-loaded="true"]').wait_for()
+    deciding = marks.locator("[data-decides]")
+    expect(deciding).to_have_count(1)
+    deciding.click()
+    clock = page.get_by_test_id("clock").inner_text()
+    assert float(clock.split()[0]) == pytest.approx(case["steps"][first]["at"], abs=0.011)
+    shot(page, "replay-steps")
+
+
+def test_the_exports_have_a_line_for_each_step(page, build):
+    case, first = failed_case(page, build)
+    csv = result_of(page, build, "/cases.csv").text().splitlines()
+    assert "Read.IndexOfSensor" in csv[0].split(",")
+    assert len([line for line in csv if line.startswith(f"{case['no']},")]) == len(case["steps"])
+    report = result_of(page, build, "/report").text()
+    assert f'{first + 1}</td><td class="FAIL">FAIL</td>' in report
+    assert "forbidden" in report

@@ -1,0 +1,2 @@
+export { StateDiagramView } from './StateDiagramView';
+export { useStateDiagram } from './queries';
