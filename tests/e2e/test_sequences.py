@@ -70,3 +70,65 @@ def test_a_reading_that_is_kept_fails_at_its_step(sitaf, tmp_path):
         assert all(step.get("after_failure") == "true" for step in steps[first + 1 :])
         assert case.findtext("message").startswith(f"step {first + 1} (Read): ")
     assert any(case.get("verdict") == "PASS" for case in cases)
+
+
+def test_an_exception_in_a_constructor_is_no_error_of_the_first_step(sitaf, tmp_path):
+    activity = activity_in(sitaf, "python", tmp_path / "activity")
+    source = activity / "component" / "infrared_sensor.py"
+    source.write_text(
+        source.read_text().replace(
+            "        self._hardware = hardware\n",
+            "        raise OSError('no such port')\n",
+        )
+    )
+    run = sitaf("run", activity, "--result", tmp_path / "result")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "before the first step: OSError: no such port" in run.stdout
+    for case in cases_of(tmp_path / "result"):
+        assert case.get("verdict") == "ERROR"
+        assert {step.get("verdict") for step in case.findall("step")} == {"DONT"}
+
+
+def test_an_object_that_is_taken_away_is_noticed(sitaf):
+    run = sitaf("run", "examples/gripper")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_a_gripper_that_remembers_its_object_fails_at_the_second_look(sitaf, tmp_path):
+    run = sitaf("run", "examples/gripper-faulty", "--result", tmp_path / "result")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert re.search(r"step \d+ \(Look\): expected false, but was true", run.stdout)
+    assert re.search(r"(?m)^ +> +\d+ +FAIL +Look\(\)", run.stdout), run.stdout
+    cases = ElementTree.parse(tmp_path / "result" / "Handling.xml").findall(
+        "test_result_list/test_result"
+    )
+    failed = [case for case in cases if case.get("verdict") == "FAIL"]
+    assert failed
+    for case in failed:
+        steps = case.findall("step")
+        first = next(i for i, step in enumerate(steps) if step.get("verdict") != "PASS")
+        names = [step.get("name") for step in steps[:first]]
+        # It was held, looked at, and taken away.
+        looked = names.index("Look")
+        assert "Grasp" in names[: names.index("TakenAway")]
+        assert looked < len(names) - 1 - names[::-1].index("TakenAway")
+        assert steps[first].get("before") == "closed=true, present=false"
+    assert any(case.get("verdict") == "PASS" for case in cases)
+
+
+def test_a_navigation_server_passes_with_preempted_goals(sitaf):
+    run = sitaf("run", "examples/navigation-goals")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_a_preempted_goal_that_is_resumed_fails_after_the_cancel(sitaf):
+    run = sitaf("run", "examples/navigation-goals-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert re.search(
+        r"step \d+ \(StayIdle\): expected 'IDLE', but was 'REACHED'", run.stdout
+    )
+    assert re.search(
+        r"step \d+ \(Cancel, forbidden\): expected the error NoGoal, but it returned",
+        run.stdout,
+    )
+    assert ", 0 ERROR," in run.stdout

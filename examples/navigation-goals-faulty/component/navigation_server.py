@@ -1,0 +1,48 @@
+"""A navigation server for a base on a track."""
+
+from sitaf_runtime import Hardware
+
+TOLERANCE = 0.02
+"""Metres from the goal at which it is reached."""
+
+
+class NoGoal(Exception):
+    """There is no goal to cancel."""
+
+
+class NavigationServer:
+    """Drives the base `base` to one goal at a time."""
+
+    def __init__(self, hardware: Hardware) -> None:
+        self._base = hardware.joint_motor("base")
+        self._goal = None
+        self._preempted = None
+
+    def send_goal(self, x: float) -> None:
+        """Drive to a position; a goal that is active is preempted."""
+        self._preempted = self._goal
+        self._goal = x
+        self._base.set_position(x)
+
+    def cancel(self) -> None:
+        """End the active goal and stop."""
+        if self._goal is None:
+            raise NoGoal("send a goal first")
+        # The fault: the goal that was preempted begins again.
+        self._goal, self._preempted = self._preempted, None
+        self._base.set_position(
+            self._base.position() if self._goal is None else self._goal
+        )
+
+    def status(self) -> str:
+        """The state of the goal; a goal that was reached ends."""
+        if self._goal is None:
+            return "IDLE"
+        if abs(self._base.position() - self._goal) > TOLERANCE:
+            return "ACTIVE"
+        self._goal = None
+        return "REACHED"
+
+    def position(self) -> float:
+        """Where the base is."""
+        return self._base.position()
