@@ -1,5 +1,6 @@
 """Sequences of calls: the infrared sensor that is enabled and disabled, in each language."""
 
+import json
 import re
 import shutil
 import xml.etree.ElementTree as ElementTree
@@ -132,3 +133,22 @@ def test_a_preempted_goal_that_is_resumed_fails_after_the_cancel(sitaf):
         run.stdout,
     )
     assert ", 0 ERROR," in run.stdout
+
+
+def test_compare_names_the_first_step_that_differs(sitaf, tmp_path):
+    report = tmp_path / "compared.json"
+    run = sitaf(
+        "compare",
+        "examples/gripper",
+        "examples/gripper-faulty",
+        "--json",
+        report,
+    )
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert re.search(r"first step \d+, Look\(\)", run.stdout), run.stdout
+    found = json.loads(report.read_text())["differences"]
+    assert found
+    for difference in found:
+        assert difference["output"] == "Look.return"
+        assert difference["call"] == "Look()"
+        assert (difference["base"], difference["new"]) == ("false", "true")

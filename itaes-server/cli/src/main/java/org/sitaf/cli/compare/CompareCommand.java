@@ -187,12 +187,6 @@ public final class CompareCommand implements Callable<Integer> {
       ProgressLine progress,
       Merged merged)
       throws IOException, InterruptedException {
-    if (tested.sequence() != null) {
-      merged.notComparable.add(
-          new NotComparable(
-              tested.name(), 0, "", "cases with a sequence of calls are not compared"));
-      return;
-    }
     BaseModel ofBase = BaseModel.of(before.activity(), after.activity(), tested);
     merged.notComparable.addAll(ofBase.notComparable());
     TestModel inBase = ofBase.model();

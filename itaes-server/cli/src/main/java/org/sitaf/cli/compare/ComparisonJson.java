@@ -52,6 +52,11 @@ final class ComparisonJson {
     entry.put("base", difference.base());
     entry.put("new", difference.now());
     entry.put("at_s", difference.at());
+    Difference.Step step = difference.step();
+    if (step != null) {
+      entry.put("step", step.number());
+      entry.put("call", step.call());
+    }
     return entry;
   }
 

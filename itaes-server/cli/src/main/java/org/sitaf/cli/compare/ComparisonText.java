@@ -141,6 +141,9 @@ final class ComparisonText {
                   first.valid() ? "" : " (invalid inputs)",
                   inputs.isEmpty() ? "" : ": " + inputs));
     }
+    if (first.step() != null) {
+      out.println("    first " + shortened(first.step().toString()));
+    }
     String what = first.output().isEmpty() ? "" : " " + Printable.line(first.output());
     String at = first.at() == null ? "" : " at " + first.at() + " s";
     out.println("    BASE%s%s: %s".formatted(what, at, shortened(first.base())));

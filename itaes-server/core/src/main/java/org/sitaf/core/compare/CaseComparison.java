@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
@@ -11,7 +12,10 @@ import org.sitaf.core.compare.OutputComparison.Closeness;
 import org.sitaf.core.compare.OutputComparison.Outcome;
 import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceCall;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.verdict.CaseRecord;
@@ -81,12 +85,12 @@ public final class CaseComparison {
     return inputs;
   }
 
-  private OutputComparison comparison(String output) {
-    return new OutputComparison(activity.outputType(model, output), ulp);
+  private OutputComparison comparison(TestModel of, String output) {
+    return new OutputComparison(activity.outputType(of, output), ulp);
   }
 
-  private DifferenceClass kind(String output) {
-    return model.output(output).filter(element -> element.kind() == OutputKind.OBSERVED).isPresent()
+  private static DifferenceClass kind(TestModel of, String output) {
+    return of.output(output).filter(element -> element.kind() == OutputKind.OBSERVED).isPresent()
         ? DifferenceClass.OBSERVED
         : DifferenceClass.VALUE;
   }
@@ -100,6 +104,11 @@ public final class CaseComparison {
     private final List<Difference> lastBits = new ArrayList<>();
     private final List<NotComparable> notComparable = new ArrayList<>();
 
+    /** The step that is compared; null for the whole case. */
+    private @Nullable TestStep step;
+
+    private int stepNumber;
+
     Pair(TestCase testCase, CaseRun base, CaseRun now) {
       this.testCase = testCase;
       this.base = base;
@@ -112,7 +121,7 @@ public final class CaseComparison {
       String reason = reason();
       if (!reason.isEmpty() || left == null || right == null) {
         notComparable.add(new NotComparable(model.name(), testCase.no(), "", reason));
-      } else if (!errorDiffers(left, right)) {
+      } else if (!stepDiffers(left, right) && !errorDiffers(left, right)) {
         outputs(left, right);
         calls(left, right);
         Trace leftSignals = base.signals();
@@ -123,6 +132,38 @@ public final class CaseComparison {
         verdict();
       }
       return new CaseDifferences(differences, lastBits, notComparable);
+    }
+
+    /** Compares the steps of a sequence up to the first one that differs. */
+    private boolean stepDiffers(CaseRecord left, CaseRecord right) {
+      int both = Math.min(left.steps().size(), right.steps().size());
+      for (int i = 0; i < Math.min(both, testCase.steps().size()); i++) {
+        step = testCase.steps().get(i);
+        stepNumber = i + 1;
+        CaseRecord leftStep = left.steps().get(i).record();
+        CaseRecord rightStep = right.steps().get(i).record();
+        if (!errorDiffers(leftStep, rightStep)) {
+          outputs(leftStep, rightStep);
+          calls(leftStep, rightStep);
+        }
+        if (!differences.isEmpty()) {
+          return true;
+        }
+      }
+      step = null;
+      return false;
+    }
+
+    /** The model of the call that is compared, or of the case. */
+    private TestModel compared() {
+      SequenceSpec sequence = model.sequence();
+      return step == null || sequence == null
+          ? model
+          : sequence.calls().stream()
+              .filter(call -> call.name().equals(Objects.requireNonNull(step).name()))
+              .map(SequenceCall::model)
+              .findFirst()
+              .orElse(model);
     }
 
     private String reason() {
@@ -196,8 +237,8 @@ public final class CaseComparison {
     }
 
     private void output(String output, String left, String right) {
-      Outcome outcome = comparison(output).compare(left, right);
-      add(outcome, kind(output), output, left, right, null);
+      Outcome outcome = comparison(compared(), output).compare(left, right);
+      add(outcome, kind(compared(), output), output, left, right, null);
     }
 
     private void calls(CaseRecord left, CaseRecord right) {
@@ -295,18 +336,23 @@ public final class CaseComparison {
         @Nullable Double at,
         String change,
         double deviation) {
+      TestStep of = step;
       return new Difference(
           model.name(),
           testCase.no(),
           testCase.valid(),
           kind,
-          output,
+          of == null ? output : output.isEmpty() ? of.name() : of.name() + "." + output,
           inputs(testCase),
           left,
           right,
           at,
           change,
-          deviation);
+          deviation,
+          of == null
+              ? null
+              : new Difference.Step(
+                  stepNumber, of.name() + "(" + String.join(", ", of.values()) + ")"));
     }
   }
 

@@ -19,6 +19,8 @@ import org.jspecify.annotations.Nullable;
  * @param at seconds after the call of the first divergent step; null if time does not matter
  * @param change what differences of a group have in common in addition to kind and output
  * @param deviation largest absolute difference of numbers; NaN if the difference is not numeric
+ * @param step the first step that differs; null if the case is not a sequence, or if it differs as a
+ *     whole
  */
 public record Difference(
     String model,
@@ -31,7 +33,21 @@ public record Difference(
     String now,
     @Nullable Double at,
     String change,
-    double deviation) {
+    double deviation,
+    @Nullable Step step) {
+  /**
+   * A step of a sequence.
+   *
+   * @param number from 1
+   * @param call name and values: {@code Read(1, 7)}
+   */
+  public record Step(int number, String call) {
+    @Override
+    public String toString() {
+      return "step " + number + ", " + call;
+    }
+  }
+
   private static final int MAX_TEXT = 10_000;
 
   public Difference {
@@ -42,6 +58,22 @@ public record Difference(
     base = shortened(base);
     now = shortened(now);
     Objects.requireNonNull(change);
+  }
+
+  /** A difference of a case that is not a sequence. */
+  public Difference(
+      String model,
+      int no,
+      boolean valid,
+      DifferenceClass kind,
+      String output,
+      Map<String, String> inputs,
+      String base,
+      String now,
+      @Nullable Double at,
+      String change,
+      double deviation) {
+    this(model, no, valid, kind, output, inputs, base, now, at, change, deviation, null);
   }
 
   private static String shortened(String text) {
@@ -57,6 +89,10 @@ public record Difference(
   boolean castsDoubtOn(Difference found) {
     if (!found.model.equals(model) || found.no != no) {
       return false;
+    }
+    // What follows a step depends on it.
+    if (step != null && found.step != null && step.number() <= found.step.number()) {
+      return true;
     }
     if (kind == DifferenceClass.ERROR || found.kind == DifferenceClass.VERDICT) {
       return true;

@@ -70,7 +70,8 @@ public final class DifferenceGroups {
               + (key.change().isEmpty()
                   ? " differ" + (count == 1 ? "s" : "")
                   : (count == 1 ? " " : " up to ") + rounded(largest(found)) + " off");
-      case ERROR -> count + " × " + key.change();
+      case ERROR ->
+          count + " × " + key.change() + (key.output().isEmpty() ? "" : ", in " + key.output());
       case CALLS ->
           cases
               + (key.output().isEmpty()
