@@ -152,3 +152,14 @@ def test_compare_names_the_first_step_that_differs(sitaf, tmp_path):
         assert difference["output"] == "Look.return"
         assert difference["call"] == "Look()"
         assert (difference["base"], difference["new"]) == ("false", "true")
+
+
+def test_explain_shortens_a_failure_to_its_steps(sitaf, tmp_path):
+    report = tmp_path / "causes.json"
+    run = sitaf("explain", "examples/gripper-faulty", "--json", report)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert (
+        "fails at the end of: Grasp(), Look(), TakenAway(), Look()" in run.stdout
+    ), run.stdout
+    (cause,) = json.loads(report.read_text())["causes"]
+    assert cause["steps"] == ["Grasp()", "Look()", "TakenAway()", "Look()"]

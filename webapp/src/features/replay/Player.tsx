@@ -78,16 +78,17 @@ export function Player({
             label={label}
             onReady={setBody}
           />
-          <Controls recording={recording} playback={playback} frame={frame} />
-          {marks && marks.length > 0 && (
-            <StepMarks
-              marks={marks}
-              begin={playback.begin}
-              end={playback.end}
-              time={playback.time}
-              onSeek={playback.seek}
-            />
-          )}
+          <Controls recording={recording} playback={playback} frame={frame}>
+            {marks && marks.length > 0 && (
+              <StepMarks
+                marks={marks}
+                begin={playback.begin}
+                end={playback.end}
+                time={playback.time}
+                onSeek={playback.seek}
+              />
+            )}
+          </Controls>
           <Group gap="lg">
             <NativeSelect
               aria-label="Speed"
@@ -163,12 +164,15 @@ function Controls({
   recording: { times },
   playback,
   frame,
+  children,
 }: {
   recording: Recording;
   /** The verdict of the case, if it is known. */
   verdict?: Verdict | undefined;
   playback: Playback;
   frame: number;
+  /** Shown below the time axis. */
+  children?: ReactNode;
 }) {
   const { time, begin, end, running } = playback;
   const singleFrame = end <= begin;
@@ -199,20 +203,22 @@ function Controls({
       >
         ›
       </Button>
-      <Slider
-        flex="1 1 10rem"
-        thumbLabel="Time"
-        thumbProps={{ 'aria-valuetext': `${formatSeconds(time - begin)} s` }}
-        label={null}
-        disabled={singleFrame}
-        min={0}
-        max={singleFrame ? 1 : end - begin}
-        step={0.001}
-        value={time - begin}
-        onChange={(value) => {
-          playback.seek(begin + value);
-        }}
-      />
+      <div className={classes.axis}>
+        <Slider
+          thumbLabel="Time"
+          thumbProps={{ 'aria-valuetext': `${formatSeconds(time - begin)} s` }}
+          label={null}
+          disabled={singleFrame}
+          min={0}
+          max={singleFrame ? 1 : end - begin}
+          step={0.001}
+          value={time - begin}
+          onChange={(value) => {
+            playback.seek(begin + value);
+          }}
+        />
+        {children}
+      </div>
       <Text size="sm" className={classes.clock ?? ''} data-testid="clock">
         {formatSeconds(time - begin)} of {formatSeconds(end - begin)} s
       </Text>

@@ -120,7 +120,7 @@ function Diagram({ layout: { boxes, arrows, width, height }, shown, onState }: D
             data-shown={index === shown || undefined}
             role="button"
             tabIndex={0}
-            aria-label={`State ${lines.join(', ')}: ${LABELS[coverage]}`}
+            aria-description={LABELS[coverage]}
             aria-pressed={index === shown}
             onClick={() => {
               onState(index);
@@ -133,6 +133,7 @@ function Diagram({ layout: { boxes, arrows, width, height }, shown, onState }: D
             {lines.map((line, at) => (
               <text key={at} x={x} y={y - own / 2 + 20 + at * 16} textAnchor="middle">
                 {line.length > 22 ? `${line.slice(0, 21)}…` : line}
+                {at < lines.length - 1 && ', '}
               </text>
             ))}
           </g>

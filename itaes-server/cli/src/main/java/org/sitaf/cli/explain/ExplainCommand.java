@@ -25,6 +25,7 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.explain.Explainer;
 import org.sitaf.core.explain.Explanation;
+import org.sitaf.core.explain.SequenceExplainer;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.core.suite.GeneratedSuite;
@@ -101,7 +102,15 @@ public final class ExplainCommand implements Callable<Integer> {
     FileTree files = UserFiles.folder(arguments.folder());
     Activity activity = Activity.read(files);
     Sitaf.print(activity.warnings(), err);
-    List<TestModel> models = arguments.modelsOfSingleCalls(activity, "explain");
+    List<TestModel> models = arguments.modelsOf(activity);
+    for (TestModel each : models) {
+      if (bundles != null && each.sequence() != null) {
+        throw InvalidInputException.of(
+            each.source(),
+            "--bundles does not support models with a sequence_spec; select another model by"
+                + " --model, or leave --bundles out");
+      }
+    }
     if (cases != null && models.size() > 1) {
       throw InvalidInputException.of(
           "--cases",
@@ -162,6 +171,16 @@ public final class ExplainCommand implements Callable<Integer> {
     }
     if (result.summary().pass() + result.summary().fail() + result.summary().error() == 0) {
       throw InvalidInputException.of(model.name(), "no case was executed");
+    }
+    if (suite.isOfSequences()) {
+      return new SequenceExplainer(
+              model,
+              suite,
+              result.cases(),
+              chosen,
+              new FurtherBuilds(builds, activity, model, suite, err),
+              budget)
+          .explain();
     }
     try {
       return new Explainer(

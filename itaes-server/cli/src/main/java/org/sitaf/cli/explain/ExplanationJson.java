@@ -40,6 +40,9 @@ final class ExplanationJson {
         entry.put("simplest", cause.simplest());
         entry.put("boundary", boundary(cause.boundary()));
         entry.put("executions", cause.executions());
+        if (!cause.steps().isEmpty()) {
+          entry.put("steps", cause.steps());
+        }
         causes.add(entry);
       }
       unexplained.addAll(each.getValue().unexplained());

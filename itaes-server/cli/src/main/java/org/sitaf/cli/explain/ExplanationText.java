@@ -34,7 +34,11 @@ final class ExplanationText {
         out.println("  cases: " + numbers(numbers));
       }
       out.println("  " + first.verdict() + ": " + Printable.lines(first.message(), "    "));
-      out.println("  simplest case: " + named(first.simplest()));
+      if (first.steps().isEmpty()) {
+        out.println("  simplest case: " + named(first.simplest()));
+      } else if (!first.simplest().isEmpty()) {
+        out.println("  set before the first step: " + named(first.simplest()));
+      }
       Boundary boundary = first.boundary();
       if (boundary != null) {
         out.println(
@@ -80,6 +84,11 @@ final class ExplanationText {
     String relation = cause.relation();
     if (relation != null) {
       return verb + " where " + Printable.line(relation) + ", whatever the rest";
+    }
+    if (!cause.steps().isEmpty()) {
+      return verb
+          + " at the end of: "
+          + cause.steps().stream().map(CaseTable::cell).collect(Collectors.joining(", "));
     }
     if (cause.parameters().isEmpty()) {
       return verb + " in every case";

@@ -32,6 +32,8 @@ public record Explanation(List<Cause> causes, int executions, List<Integer> unex
    * @param simplest the simplest failing case: literals by name
    * @param boundary where a numeric parameter begins to fail; null if there is none
    * @param executions number of executed cases beyond the suite for this cause
+   * @param steps of the shortest sequence that fails, such as {@code Read(1, 7)}; empty if the
+   *     cases are single calls
    */
   public record Cause(
       Map<String, String> parameters,
@@ -41,13 +43,29 @@ public record Explanation(List<Cause> causes, int executions, List<Integer> unex
       List<Integer> cases,
       Map<String, String> simplest,
       @Nullable Boundary boundary,
-      int executions) {
+      int executions,
+      List<String> steps) {
+    /** A cause of the failures of single calls. */
+    public Cause(
+        Map<String, String> parameters,
+        @Nullable String relation,
+        Verdict verdict,
+        String message,
+        List<Integer> cases,
+        Map<String, String> simplest,
+        @Nullable Boundary boundary,
+        int executions) {
+      this(
+          parameters, relation, verdict, message, cases, simplest, boundary, executions, List.of());
+    }
+
     public Cause {
       parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
       Objects.requireNonNull(verdict);
       Objects.requireNonNull(message);
       cases = List.copyOf(cases);
       simplest = Collections.unmodifiableMap(new LinkedHashMap<>(simplest));
+      steps = List.copyOf(steps);
     }
   }
 

@@ -1,11 +1,14 @@
 package org.sitaf.core.suite.sequence;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.InputValidity;
+import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestStep;
 
 /** The abstract states of a case while its steps are executed. */
@@ -55,6 +58,48 @@ public final class StepStates {
     } catch (StepException e) {
       return Optional.empty();
     }
+  }
+
+  /**
+   * Another sequence of steps with the expected values that they have there.
+   *
+   * @return empty if a step may not be executed where it is, more than one step is forbidden or
+   *     invalid, or an expected value cannot be evaluated
+   */
+  public Optional<List<TestStep>> replanned(List<TestStep> given) {
+    List<TestStep> written = new ArrayList<>();
+    AbstractState state = initial();
+    boolean failed = false;
+    for (TestStep step : given) {
+      CompiledStep compiled = steps.get(step.name());
+      if (compiled == null) {
+        return Optional.empty();
+      }
+      try {
+        boolean allowed = compiled.isAllowed(state);
+        StepRow row = row(compiled, step);
+        boolean valid = allowed && row.isValid();
+        if (!allowed && !compiled.hasForbidden() || !valid && failed) {
+          return Optional.empty();
+        }
+        failed |= !valid;
+        int number = written.size() + 1;
+        List<ExpectedValue> expected =
+            allowed
+                ? compiled.expected(state, number, row)
+                : compiled.forbidden(state, number, row);
+        if (expected.stream().anyMatch(e -> e.literal().startsWith(ExpectedValue.UNEVALUATED))) {
+          return Optional.empty();
+        }
+        written.add(new TestStep(step.name(), valid, step.values(), expected));
+        if (allowed && !CompiledStep.isError(expected)) {
+          state = compiled.after(state, row);
+        }
+      } catch (StepException | IllegalArgumentException e) {
+        return Optional.empty();
+      }
+    }
+    return Optional.of(written);
   }
 
   private boolean leaves(CompiledStep compiled, AbstractState before, TestStep step) {
