@@ -158,8 +158,8 @@ def test_explain_shortens_a_failure_to_its_steps(sitaf, tmp_path):
     report = tmp_path / "causes.json"
     run = sitaf("explain", "examples/gripper-faulty", "--json", report)
     assert run.returncode == 0, run.stdout + run.stderr
-    assert (
-        "fails at the end of: Grasp(), Look(), TakenAway(), Look()" in run.stdout
-    ), run.stdout
+    assert "fails at the end of: Grasp(), Look(), TakenAway(), Look()" in run.stdout, (
+        run.stdout
+    )
     (cause,) = json.loads(report.read_text())["causes"]
     assert cause["steps"] == ["Grasp()", "Look()", "TakenAway()", "Look()"]

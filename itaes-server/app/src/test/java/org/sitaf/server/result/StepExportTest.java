@@ -28,8 +28,7 @@ class StepExportTest {
       </test_result_descriptor>
       """;
 
-  private static final String CASE =
-      "\"step 2 (Read, forbidden): expected 0.6, but was 0.5\"";
+  private static final String CASE = "\"step 2 (Read, forbidden): expected 0.6, but was 0.5\"";
 
   private final TestResult result = Results.read(DOCUMENT.getBytes(StandardCharsets.UTF_8));
 
@@ -42,7 +41,8 @@ class StepExportTest {
                 + "after_failure,at_s,time_us,before,after,message,case message",
             "1,FAIL,5.0,1,Enable,valid,,,,PASS,false,0.0,,on=false,on=true,," + CASE,
             "1,FAIL,5.0,2,Read,forbidden,1,0.6,0.5,FAIL,false,0.1,,on=true,on=true,"
-                + "\"expected <b>0.6, but was 0.5\"," + CASE,
+                + "\"expected <b>0.6, but was 0.5\","
+                + CASE,
             "1,FAIL,5.0,3,Enable,valid,,,,FAIL,true,0.2,,on=true,on=true,," + CASE,
             "2,ERROR,5.0,1,Enable,valid,,,,DONT,false,,,,,,before the first step: no such port");
   }

@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * @param at seconds after the call of the first divergent step; null if time does not matter
  * @param change what differences of a group have in common in addition to kind and output
  * @param deviation largest absolute difference of numbers; NaN if the difference is not numeric
- * @param step the first step that differs; null if the case is not a sequence, or if it differs as a
- *     whole
+ * @param step the first step that differs; null if the case is not a sequence, or if it differs as
+ *     a whole
  */
 public record Difference(
     String model,

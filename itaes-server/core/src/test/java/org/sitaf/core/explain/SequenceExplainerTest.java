@@ -59,8 +59,18 @@ class SequenceExplainerTest {
       Verdict own = wrong ? Verdict.FAIL : Verdict.PASS;
       StepResult result =
           new StepResult(
-              step.name(), Kind.VALID, own, verdict != Verdict.PASS, List.of(), List.of(),
-              List.of(), 0.0, null, wrong ? "expected 1, but was 2" : "", null, null);
+              step.name(),
+              Kind.VALID,
+              own,
+              verdict != Verdict.PASS,
+              List.of(),
+              List.of(),
+              List.of(),
+              0.0,
+              null,
+              wrong ? "expected 1, but was 2" : "",
+              null,
+              null);
       steps.add(result);
       if (result.decides()) {
         verdict = own;
@@ -81,7 +91,11 @@ class SequenceExplainerTest {
             cases -> {
               executed.addAll(cases);
               return cases.stream()
-                  .map(c -> reproducible ? run(c) : run(new TestCase(c.no(), true, c.values(), List.of())))
+                  .map(
+                      c ->
+                          reproducible
+                              ? run(c)
+                              : run(new TestCase(c.no(), true, c.values(), List.of())))
                   .toList();
             },
             budget)
@@ -106,7 +120,9 @@ class SequenceExplainerTest {
     explain(500);
     for (TestCase testCase : executed) {
       String names = testCase.steps().stream().map(TestStep::name).collect(Collectors.joining(" "));
-      assertThat(names).doesNotMatch("^(Wait |Close )*Look.*").doesNotMatch(".*Close (Wait )*Look.*");
+      assertThat(names)
+          .doesNotMatch("^(Wait |Close )*Look.*")
+          .doesNotMatch(".*Close (Wait )*Look.*");
       for (int i = 0; i < testCase.steps().size(); i++) {
         if (testCase.steps().get(i).name().equals("Look")) {
           assertThat(testCase.steps().get(i).expected().get(0).literal())

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.suite.InputValidity;
 import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.InputValidity;
 import org.sitaf.core.suite.TestStep;
 
 /** The abstract states of a case while its steps are executed. */
