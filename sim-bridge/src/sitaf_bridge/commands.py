@@ -2,6 +2,7 @@
 
 import argparse
 import gc
+import signal
 import sys
 import threading
 from collections.abc import Sequence
@@ -126,6 +127,8 @@ def _serve(options: argparse.Namespace) -> int:
             if options.parent_pid is not None:
                 ending.with_parent(options.parent_pid)
             if options.stop_with_stdin:
+                # Ctrl-C in a terminal is for the program that started this one, which closes the input.
+                signal.signal(signal.SIGINT, signal.SIG_IGN)
                 ending.with_stdin()
             if options.endpoints is not None:
                 warming.start()

@@ -8,6 +8,7 @@
 #include "runtime/case_streams.hpp"
 #include "runtime/command_line.hpp"
 #include "runtime/crash_reports.hpp"
+#include "runtime/debugger.hpp"
 #include "runtime/thrown.hpp"
 #include "sitaf/runtime/sequence_driver.hpp"
 #include "sitaf/runtime/suite_driver.hpp"
@@ -294,6 +295,7 @@ void Driver::save(suite::CaseResult& result) {
 }
 
 int start(int argc, char** argv, const TestRun::Factory& factory, void (*coverage)()) {
+  waitForDebugger();
   markCases();
   installCrashHandlers(coverage);
   try {

@@ -9,6 +9,7 @@ import re
 import sys
 import traceback
 
+from sitaf_runtime import debugging
 from sitaf_runtime.errors import CannotRunError
 from sitaf_runtime.run import cannot_run, end, start
 from sitaf_runtime.suite import channel
@@ -66,6 +67,7 @@ def main() -> None:
     name = sys.argv[1]
     try:
         channel.hold(sys.argv[2:])
+        debugging.wait_for_debugger()
         _extend_path()
         driver = importlib.import_module(name).ConcreteTestDriver
     except CannotRunError as e:

@@ -18,7 +18,7 @@ from contextlib import suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from sitaf_runtime import case_streams
+from sitaf_runtime import case_streams, debugging
 from sitaf_runtime.command_line import CommandLine, Repetition
 from sitaf_runtime.driver import SuiteDriver
 from sitaf_runtime.errors import CannotRunError, CaseDataError, SimulationError
@@ -67,6 +67,7 @@ class TestRun:
             self.stopwatch.before_call(self._simulation.call_begins)
             if command.recording is not None:
                 self._simulation.record(command.recording)
+        debugging.stop_in_calls(self.stopwatch)
         self.stubbing = Stubbing(self.stopwatch, self._simulation)
 
     @property

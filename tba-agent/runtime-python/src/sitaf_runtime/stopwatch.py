@@ -40,8 +40,17 @@ class Stopwatch:
         self._owner = 0
 
     def before_call(self, action: Callable[[], None]) -> None:
-        """Set what runs before each measurement, outside of the measured time."""
-        self._before_call = action
+        """Add what runs before each measurement, outside of the measured time."""
+        earlier = self._before_call
+        if earlier is None:
+            self._before_call = action
+            return
+
+        def both() -> None:
+            earlier()
+            action()
+
+        self._before_call = both
 
     def reset(self) -> None:
         """Clear the measurement."""

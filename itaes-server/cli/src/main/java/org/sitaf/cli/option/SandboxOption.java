@@ -16,6 +16,11 @@ public final class SandboxOption {
               + " off; default: ${DEFAULT-VALUE}.")
   private SandboxMode mode = SandboxMode.AUTO;
 
+  /** Whether a component must not run without a sandbox. */
+  public boolean isRequired() {
+    return mode == SandboxMode.REQUIRED;
+  }
+
   /** Opens the sandbox. */
   public Sandbox open() throws IOException {
     return mode.open();

@@ -22,8 +22,10 @@ import org.sitaf.agent.build.RecordingOrder;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.spool.Folders;
+import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.agent.toolchain.debug.DebugOrder;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.terminal.OnExit;
 import org.sitaf.cli.terminal.ProgressLine;
@@ -129,6 +131,43 @@ public final class LocalBuilds implements AutoCloseable {
         InterfaceTestApplicationGenerator.generate(activity, model, suite),
         signals ? plain.withSignals() : plain,
         observer);
+  }
+
+  /**
+   * Runs a test application whose first process waits for a debugger; the calls are not repeated.
+   *
+   * @param folder the user's folder of the activity
+   * @param session attaches to the process
+   * @throws InvalidInputException if this machine lacks the debugger
+   */
+  BuildOutcome debug(
+      Activity activity, TestModel model, TestSuite suite, Path folder, DebugSession session)
+      throws InterruptedException {
+    settings
+        .toolchains()
+        .of(activity.profile().harness())
+        .flatMap(Toolchain::missingDebugger)
+        .ifPresent(
+            missing -> {
+              throw InvalidInputException.of("--debug", missing);
+            });
+    DebugOrder order =
+        new DebugOrder(
+            folder,
+            activity.profile().component().className(),
+            InterfaceTestApplicationGenerator.methodsUnderTest(activity, model, suite),
+            !session.isPrintOnly(),
+            session::attach);
+    BuildOutcome outcome =
+        start(
+            InterfaceTestApplicationGenerator.generate(
+                activity.withoutTiming(), model.withoutTiming(), suite),
+            settings(model).debugged(order),
+            new DebugSteps(folders.signalsOf(model)));
+    if (!(outcome instanceof BuildOutcome.Cancelled)) {
+      session.awaitEnd();
+    }
+    return outcome;
   }
 
   /**
@@ -264,6 +303,30 @@ public final class LocalBuilds implements AutoCloseable {
     }
   }
 
+  private static void writeSignals(@Nullable Path folder, int no, Trace trace) {
+    if (folder != null) {
+      try {
+        Files.createDirectories(folder);
+        Files.writeString(folder.resolve(no + ".csv"), TraceCsv.write(trace));
+      } catch (IOException e) {
+        throw new UncheckedIOException("cannot write the signals of case " + no, e);
+      }
+    }
+  }
+
+  /** Prints nothing: the terminal belongs to the debugger. */
+  private record DebugSteps(@Nullable Path folder) implements CaseObserver {
+    @Override
+    public void signals(int no, Trace trace) {
+      writeSignals(folder, no, trace);
+    }
+
+    @Override
+    public void caseFinished(CaseResult result) {
+      // The result is printed after the debugger has ended.
+    }
+  }
+
   private record Steps(
       String model, int total, ProgressLine progress, @Nullable Path signals, AtomicInteger done)
       implements BuildListener {
@@ -273,14 +336,7 @@ public final class LocalBuilds implements AutoCloseable {
 
     @Override
     public void signals(int no, Trace trace) {
-      if (signals != null) {
-        try {
-          Files.createDirectories(signals);
-          Files.writeString(signals.resolve(no + ".csv"), TraceCsv.write(trace));
-        } catch (IOException e) {
-          throw new UncheckedIOException("cannot write the signals of case " + no, e);
-        }
-      }
+      writeSignals(signals, no, trace);
     }
 
     @Override

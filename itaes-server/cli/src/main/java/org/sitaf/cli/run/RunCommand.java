@@ -67,12 +67,15 @@ public final class RunCommand implements Callable<Integer> {
       names = "--result",
       paramLabel = "FILE",
       description =
-          "Also writes the test result descriptor; without --model a folder with one file per model.")
+          "Also writes the test result descriptor; without --model a folder with one file per"
+              + " model.")
   private @Nullable Path resultFile;
 
   @Mixin private final GenerationArguments generation = new GenerationArguments();
 
   @Mixin private final CaseOptions cases = new CaseOptions();
+
+  @Mixin private final DebugOptions debugging = new DebugOptions();
 
   @Mixin private final SandboxOption sandbox = new SandboxOption();
 
@@ -91,8 +94,8 @@ public final class RunCommand implements Callable<Integer> {
       names = "--signals",
       paramLabel = "FOLDER",
       description =
-          "Writes the signals of each case as FOLDER/NO.csv; without --model and with several models"
-              + " as FOLDER/MODEL/NO.csv.")
+          "Writes the signals of each case as FOLDER/NO.csv; without --model and with several"
+              + " models as FOLDER/MODEL/NO.csv.")
   private @Nullable Path signals;
 
   @Option(
@@ -117,6 +120,7 @@ public final class RunCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     requireWritable();
+    debugging.check(spec, server != null, cases, sandbox.isRequired());
     if (server != null && generation.changesModel()) {
       throw new CommandLine.ParameterException(
           spec.commandLine(),
@@ -172,12 +176,15 @@ public final class RunCommand implements Callable<Integer> {
   }
 
   private int runHere(Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
-      throws IOException {
+      throws IOException, InterruptedException {
     int exitCode = 0;
     Path state = Installation.current().state();
     LastResults last = new LastResults(state.resolve("results"));
     CaseSelection selection = new CaseSelection(cases, last, arguments.folder());
     List<TestModel> models = selection.models(arguments.modelsOf(activity));
+    if (debugging.debug) {
+      DebugOptions.only(activity, models);
+    }
     SuiteCache suites = new SuiteCache(state.resolve("suites"));
     int withWorld =
         activity.profile().world() == null
@@ -202,6 +209,10 @@ public final class RunCommand implements Callable<Integer> {
           err.flush();
           continue;
         }
+        if (debugging.debug) {
+          DebugOptions.requireOneCase(model, selected);
+          return debug(builds, activity, model, selected, results, out, err);
+        }
         RepeatedBuilds.Ended ended = repeated.run(activity, model, selected);
         Optional<TestResult> result = ended.result();
         if (result.isPresent()) {
@@ -223,6 +234,36 @@ public final class RunCommand implements Callable<Integer> {
       }
     }
     return exitCode;
+  }
+
+  private int debug(
+      LocalBuilds builds,
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      List<TestResult> results,
+      PrintWriter out,
+      PrintWriter err)
+      throws InterruptedException {
+    err.println(
+        model.name()
+            + ": debugging case "
+            + suite.cases().get(0).no()
+            + "; the component runs without a sandbox");
+    err.flush();
+    BuildOutcome outcome;
+    try (DebugSession session = new DebugSession(debugging.printCommand, err)) {
+      outcome = builds.debug(activity, model, suite, arguments.folder(), session);
+    }
+    if (!(outcome instanceof BuildOutcome.Completed completed)) {
+      print(outcome, err);
+      return Sitaf.UNUSABLE;
+    }
+    print(completed.result(), out);
+    out.println("the processing time includes the time in the debugger");
+    out.flush();
+    results.add(completed.result());
+    return exitCode(completed.result());
   }
 
   private void print(TestResult result, PrintWriter out) {

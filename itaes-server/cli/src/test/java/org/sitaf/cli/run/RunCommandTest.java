@@ -108,4 +108,15 @@ class RunCommandTest {
     assertThat(errorsOf(2, "nowhere", "--result", file.toString()))
         .contains("--result " + file + ": error: is a file; name a folder");
   }
+
+  @Test
+  void refusesOptionsThatDoNotFitTheDebugger() {
+    assertThat(errorsOf(2, "folder", "--print-command")).contains("--print-command needs --debug");
+    assertThat(errorsOf(2, "folder", "--debug", "--server", "https://example.org"))
+        .contains("--debug is not available with --server");
+    assertThat(errorsOf(2, "folder", "--debug", "--repeat", "2"))
+        .contains("--debug runs a case once; leave out --repeat and --until-failure");
+    assertThat(errorsOf(2, "folder", "--debug", "--sandbox", "required"))
+        .contains("--debug is not available with --sandbox=required: a debugger cannot reach");
+  }
 }

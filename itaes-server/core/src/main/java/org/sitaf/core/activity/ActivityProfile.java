@@ -245,5 +245,10 @@ public record ActivityProfile(
         throw new IllegalArgumentException("limits must be greater than 0");
       }
     }
+
+    /** The same limits with another time for a case. */
+    public Limits withCaseWall(Duration limit) {
+      return new Limits(limit, caseSimulation, memoryMiB, preparation);
+    }
   }
 }

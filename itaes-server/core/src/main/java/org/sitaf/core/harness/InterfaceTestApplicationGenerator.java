@@ -1,5 +1,6 @@
 package org.sitaf.core.harness;
 
+import java.util.List;
 import java.util.Map;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.Component;
@@ -82,6 +83,21 @@ public final class InterfaceTestApplicationGenerator {
     FileTree sources = writer(activity).write(plan, diagnostics);
     diagnostics.throwIfErrors();
     return sources;
+  }
+
+  /**
+   * The names of the methods that the cases call, in the order of the model.
+   *
+   * @throws InvalidInputException as {@link #generate}
+   */
+  public static List<String> methodsUnderTest(Activity activity, TestModel model, TestSuite suite) {
+    Diagnostics diagnostics = new Diagnostics();
+    HarnessPlan plan = HarnessPlanner.plan(activity, model, suite, diagnostics);
+    diagnostics.throwIfErrors();
+    HarnessPlan.Sequence sequence = plan.sequence();
+    return sequence == null
+        ? List.of(plan.method().name())
+        : sequence.calls().stream().map(step -> step.call().method().name()).distinct().toList();
   }
 
   /**

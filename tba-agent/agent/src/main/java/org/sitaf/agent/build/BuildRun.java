@@ -21,6 +21,7 @@ import org.sitaf.agent.executor.Execution;
 import org.sitaf.agent.executor.ExecutionRequest;
 import org.sitaf.agent.executor.ParallelExecutor;
 import org.sitaf.agent.executor.TestApplicationExecutor;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
@@ -31,6 +32,7 @@ import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
@@ -126,10 +128,15 @@ public final class BuildRun {
         1
             + application.model().relations().size()
             + (application.activity().profile().reference() == null ? 0 : 1);
-    return TimeLimit.of(
-        runs * application.suite().cases().size(),
-        application.activity().profile().limits(),
-        settings.atMost());
+    return TimeLimit.of(runs * application.suite().cases().size(), limits(), settings.atMost());
+  }
+
+  /** The limits of the activity; someone who debugs a case may take any time. */
+  private Limits limits() {
+    Limits limits = application.activity().profile().limits();
+    return settings.debugging() == null
+        ? limits
+        : limits.withCaseWall(BuildSettings.DEBUGGING_LIMIT);
   }
 
   private BuildOutcome work() {
@@ -199,7 +206,11 @@ public final class BuildRun {
     log.remark("toolchain: " + toolchain.version());
     TestApplicationCompiler compiler =
         new TestApplicationCompiler(
-            toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox());
+            toolchain,
+            settings.toolchains().compiled(),
+            settings.coverage(),
+            settings.debugging() != null,
+            settings.sandbox());
     Compilation compilation =
         compiler.begin(application, applicationDirectory(), directory.resolve("compilation"));
     try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
@@ -254,12 +265,13 @@ public final class BuildRun {
 
   /**
    * Starts the first process during the compilation if the toolchain supports it; null otherwise,
-   * and if the cases run in several processes or after those of a relation.
+   * if the cases run in several processes or after those of a relation, and if they are debugged.
    */
   private @Nullable EarlyProcess startEarly(
       Toolchain toolchain, Compilation compilation, Preparation.Prepared prepared, BuildLog log)
       throws CompilationException, IOException, InterruptedException {
-    if (application.suite().cases().isEmpty()
+    if (settings.debugging() != null
+        || application.suite().cases().isEmpty()
         || !application.model().relations().isEmpty()
         || !executor().isInSequence(application.suite())) {
       return null;
@@ -269,8 +281,10 @@ public final class BuildRun {
   }
 
   private ParallelExecutor executor() {
+    TestApplicationExecutor each = TestApplicationExecutor.DEFAULT.within(limit().cases());
     return new ParallelExecutor(
-        TestApplicationExecutor.DEFAULT.within(limit().cases()), sessions());
+        settings.debugging() == null ? each : each.startingWithin(BuildSettings.DEBUGGING_LIMIT),
+        sessions());
   }
 
   private Preparation preparation() {
@@ -282,7 +296,7 @@ public final class BuildRun {
     Path execution = Files.createDirectories(directory.resolve(WRITTEN));
     return new ExecutionRequest(
         compiled,
-        settings.sandbox(),
+        settings.debugging() == null ? settings.sandbox() : Sandbox.none(),
         applicationDirectory(),
         application.suite(),
         preparation().suiteFile(),
@@ -293,8 +307,9 @@ public final class BuildRun {
             : execution.resolve("recording"),
         prepared.world(),
         application.timing(),
-        application.activity().profile().limits(),
-        settings.variation());
+        limits(),
+        settings.variation(),
+        settings.debugging());
   }
 
   private Execution execute(

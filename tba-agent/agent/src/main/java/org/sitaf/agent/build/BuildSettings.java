@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.agent.toolchain.debug.DebugOrder;
 
 /**
  * The part of an agent's settings that builds need.
@@ -19,6 +20,7 @@ import org.sitaf.agent.toolchain.Toolchains;
  * @param kept limits of the signals that are kept for a server; null for none
  * @param atMost limit for the duration of a build, regardless of its own limits
  * @param variation of its processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
+ * @param debugging the order to debug the first process; null for none
  */
 public record BuildSettings(
     Simulator simulator,
@@ -30,9 +32,13 @@ public record BuildSettings(
     boolean signals,
     @Nullable SignalLimits kept,
     Duration atMost,
-    int variation) {
+    int variation,
+    @Nullable DebugOrder debugging) {
   /** Default limit for the duration of a build. */
   public static final Duration DEFAULT_LIMIT = Duration.ofHours(12);
+
+  /** Limit for the duration of a build that is debugged. */
+  public static final Duration DEBUGGING_LIMIT = Duration.ofHours(24);
 
   public BuildSettings {
     Objects.requireNonNull(simulator);
@@ -47,19 +53,40 @@ public record BuildSettings(
   /** Without recordings, and with the default limit. */
   public BuildSettings(
       Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
-    this(simulator, toolchains, sandbox, coverage, agent, null, false, null, DEFAULT_LIMIT, 0);
+    this(
+        simulator, toolchains, sandbox, coverage, agent, null, false, null, DEFAULT_LIMIT, 0, null);
   }
 
   /** The same settings with recordings. */
   public BuildSettings recording(RecordingOrder order) {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, order, signals, kept, atMost, variation);
+        simulator,
+        toolchains,
+        sandbox,
+        coverage,
+        agent,
+        order,
+        signals,
+        kept,
+        atMost,
+        variation,
+        debugging);
   }
 
   /** The same settings with the signals of each case. */
   public BuildSettings withSignals() {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, recordings, true, kept, atMost, variation);
+        simulator,
+        toolchains,
+        sandbox,
+        coverage,
+        agent,
+        recordings,
+        true,
+        kept,
+        atMost,
+        variation,
+        debugging);
   }
 
   /** The same settings with signals that are kept for a server. */
@@ -74,7 +101,8 @@ public record BuildSettings(
         signals,
         limits,
         atMost,
-        variation);
+        variation,
+        debugging);
   }
 
   /** The same settings with another limit for the duration. */
@@ -89,7 +117,8 @@ public record BuildSettings(
         signals,
         kept,
         limit,
-        variation);
+        variation,
+        debugging);
   }
 
   /** The same settings with or without coverage. */
@@ -104,12 +133,42 @@ public record BuildSettings(
         signals,
         kept,
         atMost,
-        variation);
+        variation,
+        debugging);
   }
 
   /** The same settings with another variation of the processes. */
   public BuildSettings varied(int number) {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, recordings, signals, kept, atMost, number);
+        simulator,
+        toolchains,
+        sandbox,
+        coverage,
+        agent,
+        recordings,
+        signals,
+        kept,
+        atMost,
+        number,
+        debugging);
+  }
+
+  /**
+   * The same settings for debugging: without coverage and with enough time to look around. The
+   * debugged process runs without a sandbox, because its debugger must reach it.
+   */
+  public BuildSettings debugged(DebugOrder order) {
+    return new BuildSettings(
+        simulator,
+        toolchains,
+        sandbox,
+        false,
+        agent,
+        recordings,
+        signals,
+        kept,
+        DEBUGGING_LIMIT,
+        variation,
+        order);
   }
 }

@@ -28,12 +28,14 @@ final class CompileKey {
     this.digest = digest;
   }
 
-  static String of(TestApplication application, Toolchain toolchain, boolean coverage)
+  static String of(
+      TestApplication application, Toolchain toolchain, boolean coverage, boolean debugging)
       throws IOException, InterruptedException {
     CompileKey key = new CompileKey(Sha256.newDigest());
     key.add("format", new byte[] {FORMAT});
     key.add("toolchain", toolchain.identity().getBytes(StandardCharsets.UTF_8));
     key.add("coverage", new byte[] {(byte) (coverage ? 1 : 0)});
+    key.add("debugging", new byte[] {(byte) (debugging ? 1 : 0)});
     key.add("entry point", application.entryPoint().getBytes(StandardCharsets.UTF_8));
     for (String word : words(application.activity().profile())) {
       key.add("profile", word.getBytes(StandardCharsets.UTF_8));

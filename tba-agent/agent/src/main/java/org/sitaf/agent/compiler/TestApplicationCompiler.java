@@ -17,12 +17,19 @@ import org.sitaf.core.harness.TestApplication;
  *
  * @param cache may be shared by several builds and processes
  * @param coverage whether processes measure line coverage
+ * @param debugging whether the code is compiled for a debugger
  * @param sandbox for the tools of the toolchain
  */
 public record TestApplicationCompiler(
-    Toolchain toolchain, Path cache, boolean coverage, Sandbox sandbox) {
+    Toolchain toolchain, Path cache, boolean coverage, boolean debugging, Sandbox sandbox) {
   private static final long CACHE_BYTES = 1L << 30;
   private static final Duration LIMIT = Duration.ofMinutes(2);
+
+  /** A compiler whose results are not debugged. */
+  public TestApplicationCompiler(
+      Toolchain toolchain, Path cache, boolean coverage, Sandbox sandbox) {
+    this(toolchain, cache, coverage, false, sandbox);
+  }
 
   /**
    * Prepares a compilation.
@@ -39,6 +46,7 @@ public record TestApplicationCompiler(
         Files.createDirectories(directory.resolve("scratch")),
         LIMIT,
         coverage,
+        debugging,
         sandbox);
   }
 
@@ -53,7 +61,7 @@ public record TestApplicationCompiler(
       throws CompilationException, InterruptedException, IOException {
     TestApplication application = compilation.application();
     CompileCache compiled = new CompileCache(new SharedCache(cache), CACHE_BYTES);
-    String key = CompileKey.of(application, toolchain, coverage);
+    String key = CompileKey.of(application, toolchain, coverage, debugging);
     CompileCache.Check check = folder -> toolchain.isCurrent(compilation, folder);
     if (!compiled.restore(key, compilation.output(), check)) {
       try {

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
+import org.sitaf.agent.toolchain.debug.DebugOrder;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
@@ -28,6 +29,7 @@ import org.sitaf.core.timing.Timing;
  * @param world null if the activity has none
  * @param timing how often the call of each case is repeated; null for never
  * @param variation of the processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
+ * @param debugging the order to debug the first process; null for none
  */
 public record ExecutionRequest(
     CompiledApplication application,
@@ -41,7 +43,8 @@ public record ExecutionRequest(
     @Nullable World world,
     @Nullable Timing timing,
     Limits limits,
-    int variation) {
+    int variation,
+    @Nullable DebugOrder debugging) {
   public ExecutionRequest {
     Objects.requireNonNull(application);
     Objects.requireNonNull(sandbox);
@@ -51,6 +54,55 @@ public record ExecutionRequest(
     Objects.requireNonNull(directory);
     Objects.requireNonNull(coverage);
     Objects.requireNonNull(limits);
+  }
+
+  /** A request without an order to debug. */
+  public ExecutionRequest(
+      CompiledApplication application,
+      Sandbox sandbox,
+      Path files,
+      TestSuite suite,
+      Path suiteFile,
+      Path directory,
+      Path coverage,
+      @Nullable Path recording,
+      @Nullable World world,
+      @Nullable Timing timing,
+      Limits limits,
+      int variation) {
+    this(
+        application,
+        sandbox,
+        files,
+        suite,
+        suiteFile,
+        directory,
+        coverage,
+        recording,
+        world,
+        timing,
+        limits,
+        variation,
+        null);
+  }
+
+  /** The same request for a process that is not debugged. */
+  ExecutionRequest withoutDebugging() {
+    return debugging == null
+        ? this
+        : new ExecutionRequest(
+            application,
+            sandbox,
+            files,
+            suite,
+            suiteFile,
+            directory,
+            coverage,
+            recording,
+            world,
+            timing,
+            limits,
+            variation);
   }
 
   /**
@@ -74,7 +126,8 @@ public record ExecutionRequest(
         world,
         timing,
         limits,
-        variation);
+        variation,
+        debugging);
   }
 
   /**
@@ -97,7 +150,8 @@ public record ExecutionRequest(
         world,
         null,
         limits,
-        variation);
+        variation,
+        null);
   }
 
   private static Path written(TestSuite suite, Path folder) throws IOException {

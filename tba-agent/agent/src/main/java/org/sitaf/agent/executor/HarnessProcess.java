@@ -19,6 +19,8 @@ import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.agent.toolchain.debug.DebugOrder;
+import org.sitaf.agent.toolchain.debug.DebugPlace;
 import org.sitaf.core.timing.Timing;
 
 /** A process of a test application. */
@@ -95,8 +97,16 @@ final class HarnessProcess implements AutoCloseable {
     Path temporary = Files.createDirectories(request.directory().resolve("tmp"));
     Path coverage = application.recordsCoverage() ? request.newCoverageFolder() : null;
     int memoryMiB = request.limits().memoryMiB();
-    ProcessPlace place = new ProcessPlace(temporary, coverage, memoryMiB, request.variation());
-    List<String> command = new ArrayList<>(application.command(place));
+    DebugOrder order = request.debugging();
+    DebugPlace debugging = order == null ? null : DebugPlace.in(request.directory(), order);
+    ProcessPlace place =
+        new ProcessPlace(temporary, coverage, memoryMiB, request.variation(), debugging);
+    List<String> command = new ArrayList<>();
+    if (debugging != null) {
+      // Ctrl-C in the terminal is for the debugger.
+      command.add("setsid");
+    }
+    command.addAll(application.command(place));
     SimulatorAddress simulator = endpoint == null ? null : new SimulatorAddress(endpoint.target());
     command.addAll(arguments(request, fromCase, simulator));
     Path recording = simulator == null ? null : request.recording();
@@ -127,11 +137,12 @@ final class HarnessProcess implements AutoCloseable {
     }
     ResultsChannel results = ResultsChannel.open(request.directory());
     try {
+      ConfinedProcess process = request.sandbox().start(confinement.withChannel(results.pipe()));
+      if (order != null && debugging != null) {
+        order.waiting().accept(application.debuggee(debugging, process.pid()));
+      }
       return new HarnessProcess(
-          request.sandbox().start(confinement.withChannel(results.pipe())),
-          results,
-          new OutputFolders(working, temporary, coverage, recording),
-          sink);
+          process, results, new OutputFolders(working, temporary, coverage, recording), sink);
     } catch (IOException | RuntimeException e) {
       results.close();
       throw e;

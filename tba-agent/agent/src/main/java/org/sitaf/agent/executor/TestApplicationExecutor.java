@@ -49,6 +49,11 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
     }
   }
 
+  /** With the given time for a process to become ready. */
+  public TestApplicationExecutor startingWithin(Duration limit) {
+    return new TestApplicationExecutor(limit, crashesInARow, atMost);
+  }
+
   /** With a time limit for all cases. */
   public TestApplicationExecutor within(Duration limit) {
     return new TestApplicationExecutor(startUp, crashesInARow, limit);
@@ -90,7 +95,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
 
   /** State that is kept between processes. */
   private final class Run {
-    private final ExecutionRequest request;
+    private ExecutionRequest request;
     private final CaseProgress progress;
     private final OutputSink sink;
     private final long end = System.nanoTime() + atMost.toNanos();
@@ -123,6 +128,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
               waiting == null
                   ? HarnessProcess.start(request, progress.current().no(), simulator, sink)
                   : waiting.release()) {
+        request = request.withoutDebugging();
         Follow how = follow(process, simulator);
         String where = "";
         if (how == Follow.NO_ANSWER) {

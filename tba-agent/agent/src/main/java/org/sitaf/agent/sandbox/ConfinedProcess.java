@@ -123,6 +123,11 @@ public final class ConfinedProcess implements AutoCloseable {
     return process.getErrorStream();
   }
 
+  /** Its process id; that of the requested command if it runs without a sandbox. */
+  public long pid() {
+    return process.pid();
+  }
+
   /** Waits for the end; returns whether the process ended within that time. */
   public boolean awaitEnd(Duration atMost) throws InterruptedException {
     return process.waitFor(atMost.toMillis(), TimeUnit.MILLISECONDS);

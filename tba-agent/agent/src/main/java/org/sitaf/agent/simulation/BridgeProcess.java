@@ -80,6 +80,8 @@ final class BridgeProcess {
       List<String> full = new ArrayList<>(command);
       full.addAll(List.of("serve", "--listen", target, "--endpoints", working.toString()));
       full.add("--stop-with-stdin");
+      // A debugger may halt the test application for long; the sessions end with this bridge.
+      full.addAll(List.of("--default-lease", "86400"));
       process =
           sandbox.start(
               Confinement.of(full, working, temporary, LIMITS)

@@ -17,6 +17,7 @@ import org.sitaf.core.harness.TestApplication;
  * @param scratch absolute folder for temporary files
  * @param atMost timeout of the compilation
  * @param coverage whether processes record which lines of the component they execute
+ * @param debugging whether the code is compiled for a debugger: without optimization
  * @param sandbox in which tools run
  */
 public record Compilation(
@@ -26,6 +27,7 @@ public record Compilation(
     Path scratch,
     Duration atMost,
     boolean coverage,
+    boolean debugging,
     Sandbox sandbox) {
   public Compilation {
     Objects.requireNonNull(application);
@@ -34,6 +36,18 @@ public record Compilation(
     Objects.requireNonNull(scratch);
     Objects.requireNonNull(atMost);
     Objects.requireNonNull(sandbox);
+  }
+
+  /** A compilation that is not for a debugger. */
+  public Compilation(
+      TestApplication application,
+      Path sources,
+      Path output,
+      Path scratch,
+      Duration atMost,
+      boolean coverage,
+      Sandbox sandbox) {
+    this(application, sources, output, scratch, atMost, coverage, false, sandbox);
   }
 
   /** The folder of the user's activity. */

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.sitaf.agent.toolchain.debug.DebugPlace;
+import org.sitaf.agent.toolchain.debug.Debuggee;
 import org.sitaf.core.verdict.Coverage;
 
 /** A compiled test application, which can be started many times, also in parallel. */
@@ -15,6 +17,15 @@ public interface CompiledApplication {
   /** Environment variables of its process. */
   default Map<String, String> environment(ProcessPlace place) {
     return Map.of();
+  }
+
+  /**
+   * A process that was started with a place for debugging.
+   *
+   * @param pid its process id
+   */
+  default Debuggee debuggee(DebugPlace place, long pid) {
+    throw new UnsupportedOperationException("its processes cannot be debugged");
   }
 
   /** Absolute paths that its process reads, in addition to the system's folders. */

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.toolchain.debug.DebugPlace;
 
 /**
  * Folders and memory of one process of a test application.
@@ -15,8 +16,14 @@ import org.jspecify.annotations.Nullable;
  * @param variation changes what the results of a correct component do not depend on, as far as the
  *     language allows it: the order of hashes and the content of allocated memory; 0 for the
  *     defaults
+ * @param debugging where the process waits for a debugger; null if it does not wait
  */
-public record ProcessPlace(Path temporary, @Nullable Path coverage, int memoryMiB, int variation) {
+public record ProcessPlace(
+    Path temporary,
+    @Nullable Path coverage,
+    int memoryMiB,
+    int variation,
+    @Nullable DebugPlace debugging) {
   private static final int BYTE_VALUES = 255;
 
   public ProcessPlace {
@@ -24,6 +31,18 @@ public record ProcessPlace(Path temporary, @Nullable Path coverage, int memoryMi
     if (variation < 0) {
       throw new IllegalArgumentException("variation must be at least 0, not " + variation);
     }
+  }
+
+  /** A place of a process that is not debugged. */
+  public ProcessPlace(Path temporary, @Nullable Path coverage, int memoryMiB, int variation) {
+    this(temporary, coverage, memoryMiB, variation, null);
+  }
+
+  /** Environment variables that let a runtime wait for a debugger; may be empty. */
+  public Map<String, String> debuggerVariables() {
+    return debugging == null
+        ? Map.of()
+        : Map.of(DebugPlace.VARIABLE, debugging.folder().toString());
   }
 
   /** Environment variables that let the C library fill memory that it allocates; may be empty. */

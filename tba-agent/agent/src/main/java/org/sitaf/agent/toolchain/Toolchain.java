@@ -20,6 +20,11 @@ public interface Toolchain {
    */
   String identity() throws IOException, InterruptedException;
 
+  /** Why its processes cannot be debugged on this machine, and what to do; empty if they can. */
+  default Optional<String> missingDebugger() {
+    return Optional.empty();
+  }
+
   /** Starts a process ahead for the next compilation; it runs no code of users. */
   default void startAhead(Sandbox sandbox) throws IOException, InterruptedException {}
 

@@ -31,6 +31,9 @@ record Compiler(Path program, String version) {
     return options;
   }
 
+  /** For a debugger; the last option of its kind counts, so these follow all others. */
+  static final List<String> DEBUGGING = List.of("-O0", "-g");
+
   /** For generated sources and the runtime, whose warnings nobody can act on. */
   static final String WITHOUT_WARNINGS = "-w";
 

@@ -10,6 +10,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.agent.toolchain.debug.DebugPlace;
+import org.sitaf.agent.toolchain.debug.Debuggee;
 import org.sitaf.core.verdict.Coverage;
 
 /**
@@ -49,6 +51,7 @@ record CppApplication(
   @Override
   public Map<String, String> environment(ProcessPlace place) {
     Map<String, String> environment = new HashMap<>(place.memoryFill());
+    environment.putAll(place.debuggerVariables());
     // A library of the component may need another one of its libraries.
     environment.put("LD_LIBRARY_PATH", runtime + ":" + folder.resolve(LIBRARIES));
     Path coverage = place.coverage();
@@ -61,6 +64,11 @@ record CppApplication(
       environment.put("UBSAN_OPTIONS", "print_stacktrace=1");
     }
     return environment;
+  }
+
+  @Override
+  public Debuggee debuggee(DebugPlace place, long pid) {
+    return new CppDebuggee(place, pid, folder.resolve(program));
   }
 
   @Override

@@ -90,6 +90,13 @@ public final class CppToolchain implements Toolchain {
   }
 
   @Override
+  public Optional<String> missingDebugger() {
+    return Tools.find("gdb").isPresent()
+        ? Optional.empty()
+        : Optional.of("gdb is not installed; install it with: apt-get install gdb");
+  }
+
+  @Override
   public String version() {
     return compiler.version();
   }

@@ -81,7 +81,9 @@ record TranslationUnit(
       command.add("--coverage");
     }
     if (source.ofHarness()) {
-      if (sanitizers.isEmpty() && standard == CppBuild.DEFAULT_STANDARD) {
+      if (sanitizers.isEmpty()
+          && !compilation.debugging()
+          && standard == CppBuild.DEFAULT_STANDARD) {
         // It is compiled with the default options, and used only if it is included first.
         command.addAll(List.of("-I", runtime.precompiled().toString()));
       }
@@ -89,6 +91,9 @@ record TranslationUnit(
     }
     if (!source.ofHarness()) {
       command.addAll(build.flags());
+    }
+    if (compilation.debugging()) {
+      command.addAll(Compiler.DEBUGGING);
     }
     build.defines().forEach(define -> command.add("-D" + define));
     for (Path folder : folders) {

@@ -10,6 +10,8 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.agent.toolchain.debug.DebugPlace;
+import org.sitaf.agent.toolchain.debug.Debuggee;
 import org.sitaf.core.verdict.Coverage;
 
 /**
@@ -72,6 +74,9 @@ record JavaApplication(
     command.add("-Dfile.encoding=UTF-8");
     command.add("-Dsun.stdout.encoding=UTF-8");
     command.add("-Dsun.stderr.encoding=UTF-8");
+    if (place.debugging() != null) {
+      command.add(JavaDebuggee.option(place.debugging()));
+    }
     if (recording != null && place.coverage() != null) {
       command.add(recording.flag(place.coverage()));
       // Makes the runtime save the record periodically, in case the process is killed.
@@ -80,11 +85,19 @@ record JavaApplication(
     command.add("-cp");
     command.add(
         classPath.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)));
+    if (place.debugging() != null) {
+      command.addAll(JavaDebuggee.start(place.debugging()));
+    }
     if (early) {
       command.add(EARLY_START);
     }
     command.add(mainClass);
     return command;
+  }
+
+  @Override
+  public Debuggee debuggee(DebugPlace place, long pid) {
+    return new JavaDebuggee(place, classPath);
   }
 
   @Override

@@ -92,6 +92,11 @@ public final class JavaToolchain implements Toolchain {
   }
 
   @Override
+  public Optional<String> missingDebugger() {
+    return JavaDebuggee.missingTool();
+  }
+
+  @Override
   public String version() {
     return "javac " + System.getProperty("java.version");
   }

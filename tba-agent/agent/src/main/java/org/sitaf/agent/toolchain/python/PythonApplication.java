@@ -14,6 +14,8 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.agent.toolchain.debug.DebugPlace;
+import org.sitaf.agent.toolchain.debug.Debuggee;
 import org.sitaf.core.verdict.Coverage;
 
 /**
@@ -60,6 +62,7 @@ record PythonApplication(
   @Override
   public Map<String, String> environment(ProcessPlace place) {
     Map<String, String> environment = new HashMap<>(place.memoryFill());
+    environment.putAll(place.debuggerVariables());
     environment.putAll(
         Map.of(
             // Not PYTHONPATH: the runtime decides when modules of the component are loaded.
@@ -75,6 +78,11 @@ record PythonApplication(
             "PYTHONUTF8",
             "1"));
     return environment;
+  }
+
+  @Override
+  public Debuggee debuggee(DebugPlace place, long pid) {
+    return new PythonDebuggee(place, Environments.python(environment));
   }
 
   @Override

@@ -145,8 +145,9 @@ public final class CmakeProject {
     Map<String, String> variables = new TreeMap<>();
     variables.put("CMAKE_BUILD_TYPE", "RelWithDebInfo");
     // As for sources that SITAF compiles; NDEBUG would switch assertions off.
-    variables.put("CMAKE_CXX_FLAGS_RELWITHDEBINFO", "-O1 -g1");
-    variables.put("CMAKE_C_FLAGS_RELWITHDEBINFO", "-O1 -g1");
+    String optimization = compilation.debugging() ? "-O0 -g" : "-O1 -g1";
+    variables.put("CMAKE_CXX_FLAGS_RELWITHDEBINFO", optimization);
+    variables.put("CMAKE_C_FLAGS_RELWITHDEBINFO", optimization);
     variables.put("BUILD_SHARED_LIBS", "OFF");
     variables.put("BUILD_TESTING", "OFF");
     variables.putAll(target.options());
