@@ -130,6 +130,37 @@ install_bridge() {
   "$state/venv/bin/python" -m pip install "$home/sim-bridge[dev,ros]"
 }
 
+# Builds the book, which the server shows below /docs.
+set_up_docs() {
+  local stamp=$state/docs.stamp
+  newer_than "$stamp" "$home/docs" "$state/java.stamp" || return 0
+  mkdir -p "$state/book"
+  exec 8>"$state/book/lock"
+  flock 8
+  if newer_than "$stamp" "$home/docs" "$state/java.stamp"; then
+    touch "$state/docs.begun"
+    stage "Building the documentation" docs build_docs
+    mv "$state/docs.begun" "$stamp"
+  fi
+  exec 8>&-
+}
+
+# The same while the server starts, which does not wait for it.
+set_up_docs_later() {
+  (set_up_docs >/dev/null 2>&1 </dev/null &)
+}
+
+build_docs() {
+  set -e
+  local venv=$state/book/venv
+  if newer_than "$venv/stamp" "$home/docs/book/requirements.txt"; then
+    [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
+    "$venv/bin/python" -m pip install --disable-pip-version-check -r "$home/docs/book/requirements.txt"
+    touch "$venv/stamp"
+  fi
+  "$venv/bin/python" "$home/docs/book/build.py" "$home" "$state/book"
+}
+
 # Exports the interface files of ROS 2, which activities use without containing them.
 set_up_ros() {
   set_up_bridge
@@ -169,7 +200,7 @@ run_cli() {
 run_server() {
   mapfile -t flags < <(java_flags server)
   exec java "${flags[@]}" -jar "$state/dist/server/sitaf-server.jar" --sitaf.data-directory="$state/data" \
-    --sitaf.ros-interfaces="$state/ros2/jazzy" "$@"
+    --sitaf.ros-interfaces="$state/ros2/jazzy" --sitaf.documentation="$state/book/site" "$@"
 }
 
 run_agent() {

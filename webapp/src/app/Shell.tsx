@@ -1,5 +1,6 @@
 import {
   ActionIcon,
+  Anchor,
   Button,
   Container,
   Group,
@@ -64,6 +65,9 @@ export function Shell() {
             </nav>
             <div className={classes.status}>{session.data && <AgentsStatus />}</div>
             <Group gap="md" wrap="nowrap" className={classes.account ?? ''}>
+              <Anchor href="/docs/index.html" target="_blank" size="sm" c="inherit">
+                Documentation
+              </Anchor>
               {session.data && <Account name={session.data.name} />}
               <SchemeSwitch />
             </Group>

@@ -35,6 +35,12 @@ class HostFilter extends OncePerRequestFilter {
   /** Documents and files come from users; browsers must not execute them. */
   private static final String DATA_POLICY = "default-src 'none'; frame-ancestors 'none'; sandbox";
 
+  /** The site generator writes scripts into its pages, and searches in a worker. */
+  private static final String DOCUMENTATION_POLICY =
+      "default-src 'none'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline';"
+          + " img-src 'self' data:; font-src 'self'; connect-src 'self'; worker-src 'self'; base-uri"
+          + " 'none'; form-action 'self'; frame-ancestors 'none'";
+
   private final Set<String> hosts;
 
   HostFilter(SitafSettings settings) {
@@ -64,7 +70,10 @@ class HostFilter extends OncePerRequestFilter {
 
   private static void setSecurityHeaders(HttpServletRequest request, HttpServletResponse response) {
     boolean data = request.getRequestURI().startsWith("/api/");
-    response.setHeader("Content-Security-Policy", data ? DATA_POLICY : PORTAL_POLICY);
+    boolean documentation = request.getRequestURI().startsWith(Documentation.PATH);
+    response.setHeader(
+        "Content-Security-Policy",
+        data ? DATA_POLICY : documentation ? DOCUMENTATION_POLICY : PORTAL_POLICY);
     response.setHeader("X-Content-Type-Options", "nosniff");
     response.setHeader("Referrer-Policy", "no-referrer");
     response.setHeader("Cross-Origin-Opener-Policy", "same-origin");

@@ -42,6 +42,16 @@ class HostFilterTest extends ServerTest {
   }
 
   @Test
+  void documentationSaysThatItIsNotBuilt() {
+    var page = api.get("/docs/index.html").expect(200);
+    assertThat(page.text()).contains("not built yet", "./sitaf docs");
+    assertThat(page.headers().firstValue("Content-Security-Policy").orElse(""))
+        .contains("worker-src 'self'", "default-src 'none'");
+    api.get("/docs/assets/nothing.js").expect(404);
+    api.get("/docs/..%2f..%2fapplication.properties").expect(400);
+  }
+
+  @Test
   void portalRoutesReturnIndexPage() {
     String page = api.get("/").expect(200).text();
     assertThat(page).contains("<html");

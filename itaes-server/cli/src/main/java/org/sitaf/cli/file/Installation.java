@@ -51,6 +51,7 @@ public record Installation(Path home) {
   public List<String> serverCommand() {
     List<String> command = new ArrayList<>(java("server", "sitaf-server.jar"));
     command.add("--sitaf.ros-interfaces=" + rosInterfaces());
+    command.add("--sitaf.documentation=" + state().resolve("book").resolve("site"));
     return command;
   }
 
