@@ -15,6 +15,7 @@ import mujoco
 import numpy as np
 from mujoco.batch import Batch
 
+from loops import loops
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc
 from sitaf_bridge.world.catalog import Catalog
@@ -88,6 +89,8 @@ def calls(target, control):
             data.sensordata.tolist()
 
     plain = 1000 / timed(prepared)
+    for what, value, unit, aim, held in loops(target, control, seen["unary_empty"]):
+        yield Row(what, value, unit, aim, held, "")
     bulk = seen["bulk"]
     yield Row("bulk: cases over the wire", bulk, "cases/s", ">= 100,000", bulk >= 1e5, f"{bulk / plain:.2f} x {plain:,.0f}")
     read = seen["read"] / 1e3

@@ -1,11 +1,14 @@
 """Converts between gRPC messages and Python objects."""
 
+from typing import cast
+
 from google.protobuf.duration_pb2 import Duration
 
 from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.world.description.source import WorldSource
-from sitaf_bridge.world.devices import KINDS
+from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
+from sitaf_bridge.world.devices.kind import ActuatorBank
 from sitaf_bridge.world.driving.conditions import AtTime, Beyond, Condition, Near, Touching
 from sitaf_bridge.world.state import ResetScope
 from sitaf_bridge.world.world import World
@@ -72,9 +75,20 @@ def world_message(world: World) -> pb.WorldDescription:
             for p in description.parameters.values()
         ],
         devices=[
-            pb.DeviceDescription(name=d.name, kind=d.kind, fields=KINDS[d.kind].fields(d))
+            pb.DeviceDescription(
+                name=d.name, kind=d.kind, fields=KINDS[d.kind].fields(d), commands=_commands(world, d)
+            )
             for d in description.devices.values()
         ],
         observations=[pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()],
         entities=world.bodies,
     )
+
+
+def _commands(world: World, device: DeviceDeclaration) -> list[pb.CommandNumber]:
+    """The numbers that a command of a device may contain."""
+    if KINDS[device.kind].takes is None:
+        return []
+    bank = cast(ActuatorBank, world.banks[device.kind])
+    accepted = bank.accepts(world.model, device.name)
+    return [pb.CommandNumber(name=name, min=low, max=high) for name, (low, high) in accepted.items()]

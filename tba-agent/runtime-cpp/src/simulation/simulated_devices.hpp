@@ -38,6 +38,13 @@ class Access {
     return world_.read(device_.first, [this](const double* at) { return std::vector<double>(at, at + device_.count); });
   }
 
+  /// The same access, after pending commands were sent: for numbers that commands change before time advances.
+  const Access& afterCommands() const {
+    const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
+    simulator_.sendPending();
+    return *this;
+  }
+
   /// A constant number of the reading.
   double constant(std::size_t index) const { return device_.constants.at(index); }
 
@@ -92,7 +99,7 @@ struct SimulatedImu final : Simulated<ImuSensor> {
   using Simulated::Simulated;
   Quaternion orientation() const override { return access_.rotation(0); }
   Vector angularVelocity() const override { return access_.vector(4); }
-  Vector linearAcceleration() const override { return access_.vector(7); }
+  Vector linearAcceleration() const override { return access_.afterCommands().vector(7); }
 };
 
 struct SimulatedEncoder final : Simulated<JointEncoder> {
@@ -109,14 +116,14 @@ struct SimulatedPose final : Simulated<PoseSensor> {
 
 struct SimulatedForce final : Simulated<ForceTorqueSensor> {
   using Simulated::Simulated;
-  Vector force() const override { return access_.vector(0); }
-  Vector torque() const override { return access_.vector(3); }
+  Vector force() const override { return access_.afterCommands().vector(0); }
+  Vector torque() const override { return access_.afterCommands().vector(3); }
 };
 
 struct SimulatedBumper final : Simulated<ContactSensor> {
   using Simulated::Simulated;
-  bool isPressed() const override { return access_.number(0) != 0; }
-  double force() const override { return access_.number(1); }
+  bool isPressed() const override { return access_.afterCommands().number(0) != 0; }
+  double force() const override { return access_.afterCommands().number(1); }
 };
 
 struct SimulatedCamera final : Simulated<Camera> {
@@ -141,7 +148,7 @@ struct SimulatedMotor final : Simulated<JointMotor> {
   using Simulated::Simulated;
   double position() const override { return access_.number(0); }
   double velocity() const override { return access_.number(1); }
-  double effort() const override { return access_.number(2); }
+  double effort() const override { return access_.afterCommands().number(2); }
   void setPosition(double target) override {
     sim::v1::DeviceCommand command;
     command.mutable_joint()->set_position(target);
@@ -176,7 +183,7 @@ struct SimulatedDrive final : Simulated<DifferentialDrive> {
 struct SimulatedGripper final : Simulated<Gripper> {
   using Simulated::Simulated;
   double width() const override { return access_.number(0); }
-  double effort() const override { return access_.number(1); }
+  double effort() const override { return access_.afterCommands().number(1); }
   void move(double width) override {
     sim::v1::DeviceCommand command;
     command.mutable_gripper()->set_width_m(width);
@@ -186,7 +193,7 @@ struct SimulatedGripper final : Simulated<Gripper> {
 
 struct SimulatedLine final : Simulated<DigitalLine> {
   using Simulated::Simulated;
-  bool isHigh() const override { return access_.number(0) != 0; }
+  bool isHigh() const override { return access_.afterCommands().number(0) != 0; }
   void set(bool high) override {
     sim::v1::DeviceCommand command;
     command.set_level(high);

@@ -15,13 +15,16 @@ namespace sitaf::simulation {
 class Simulator {
  public:
   virtual ~Simulator() = default;
+  /// Commands a device, at the latest with the next step.
   virtual void write(sim::v1::DeviceCommand command) = 0;
+  /// Sends the commands that wait for the next step.
+  virtual void sendPending() = 0;
   virtual sim::v1::Image look(const std::string& camera) = 0;
   virtual void sleep(std::chrono::nanoseconds time) = 0;
 };
 
-/// The devices of a simulated robot. Readings come from the state after the last step, without a round trip; commands, images and waits
-/// are calls to the simulator.
+/// The devices of a simulated robot. Readings come from the state after the last step, without a round trip; images and waits are calls to
+/// the simulator. Commands travel with the next wait, or with a reading that they change before time advances.
 class SimulatedHardware : public Hardware {
  public:
   /// All arguments must live as long as the hardware.

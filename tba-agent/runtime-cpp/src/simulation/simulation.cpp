@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "simulation/passing_time.hpp"
+#include "simulation/pending_commands.hpp"
 #include "simulation/simulated_hardware.hpp"
 #include "simulation/wire.hpp"
 #include "simulation/world_files.hpp"
@@ -97,6 +98,7 @@ class Simulation::Session : public Simulator {
       : wire_(target),
         created_(create(wire_, worldDescription, seed)),
         layout_(created_),
+        pendingCommands_(created_.world()),
         world_(layout_),
         hardware_(layout_, world_, stopwatch, *this),
         time_(std::chrono::nanoseconds(created_.world().timestep_ns()), [this](std::uint64_t steps) { step(steps); }) {
@@ -126,6 +128,8 @@ class Simulation::Session : public Simulator {
   void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
                std::chrono::nanoseconds callAfter = std::chrono::nanoseconds(0)) {
     time_.restart(settle);
+    // The reset would undo them.
+    pendingCommands_.take();
     prepareSeparately({parameters, values, settle, callAfter});
   }
 
@@ -141,6 +145,8 @@ class Simulation::Session : public Simulator {
       prepare(parameters, values, settle);
       return;
     }
+    // The reset would undo them.
+    pendingCommands_.take();
     pending_ = {parameters, values, settle, std::chrono::nanoseconds(0)};
     time_.restart(settle);
     const std::int64_t step = created_.world().timestep_ns();
@@ -179,6 +185,7 @@ class Simulation::Session : public Simulator {
     request.set_session_id(created_.session_id());
     wire::TakeMotionResponse taken;
     try {
+      sendPending();
       taken = wire_.control("taking the recording of case " + std::to_string(no), &Control::TakeMotion, request);
     } catch (const SimulationError& e) {
       if (e.isLost()) {
@@ -215,6 +222,7 @@ class Simulation::Session : public Simulator {
   void set(const std::string& parameter, double value) {
     const std::lock_guard<std::recursive_mutex> lock(acting_);
     updateSession();
+    sendPending();
     wire::SetParametersRequest request;
     request.set_session_id(created_.session_id());
     (*request.mutable_values())[parameter] = value;
@@ -230,13 +238,15 @@ class Simulation::Session : public Simulator {
     request.set_case_no(no);
     request.set_call_time_ns(callTime_.count());
     try {
+      sendPending();
       wire_.control("keeping the signals of case " + std::to_string(no), &Control::KeepSignals, request);
     } catch (const SimulationError& e) {
       std::fprintf(stderr, "sitaf: %s\n", e.what());
     }
   }
 
-  double observation(std::string_view name) const {
+  double observation(std::string_view name) {
+    sendPending();
     const auto& names = layout_.observations();
     std::string existing;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -251,15 +261,28 @@ class Simulation::Session : public Simulator {
   void write(wire::DeviceCommand command) override {
     const std::lock_guard<std::recursive_mutex> lock(acting_);
     updateSession();
+    if (pendingCommands_.isAcceptable(command)) {
+      if (pendingCommands_.isFull()) {
+        sendPending();
+      }
+      pendingCommands_.add(std::move(command));
+      return;
+    }
+    sendPending();
     const std::string device = command.device();
-    wire::WriteDevicesRequest request;
-    request.set_session_id(created_.session_id());
-    *request.add_commands() = std::move(command);
-    world_.freeze(wire_.hardware("commanding " + device, &wire::VirtualHardware::Stub::WriteDevices, request).state());
+    give("commanding " + device, {std::move(command)});
+  }
+
+  void sendPending() override {
+    PendingCommands::Commands commands = pendingCommands_.take();
+    if (!commands.empty()) {
+      give("commanding devices", std::move(commands));
+    }
   }
 
   wire::Image look(const std::string& camera) override {
     updateSession();
+    sendPending();
     wire::ReadDevicesRequest request;
     request.set_session_id(created_.session_id());
     request.add_devices(camera);
@@ -293,12 +316,24 @@ class Simulation::Session : public Simulator {
     world_.freeze(wire_.control(describeParameters(prepared.parameters, prepared.values), &Control::Prepare, request).state());
   }
 
+  void give(const std::string& what, PendingCommands::Commands commands) {
+    wire::WriteDevicesRequest request;
+    request.set_session_id(created_.session_id());
+    for (wire::DeviceCommand& command : commands) {
+      *request.add_commands() = std::move(command);
+    }
+    world_.freeze(wire_.hardware(what, &wire::VirtualHardware::Stub::WriteDevices, request).state());
+  }
+
   void step(std::uint64_t steps) {
     updateSession();
     wire::StepSimulationRequest request;
     request.set_session_id(created_.session_id());
     request.set_steps(steps);
-    world_.freeze(wire_.control("advancing by " + std::to_string(steps) + " steps", &Control::StepSimulation, request).state());
+    for (wire::DeviceCommand& command : pendingCommands_.take()) {
+      *request.add_commands() = std::move(command);
+    }
+    world_.freeze(wire_.step("advancing by " + std::to_string(steps) + " steps", request).state());
   }
 
   /// Brings the session to the current case, because the component acts; later cases are prepared separately.
@@ -379,6 +414,7 @@ class Simulation::Session : public Simulator {
   Wire wire_;
   const wire::CreateSessionResponse created_;
   const Layout layout_;
+  PendingCommands pendingCommands_;
   FrozenWorld world_;
   SimulatedHardware hardware_;
   std::optional<Lease> lease_;

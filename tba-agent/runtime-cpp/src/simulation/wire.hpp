@@ -26,6 +26,13 @@ class Wire {
         what, false, [&](grpc::ClientContext* context, Response* response) { return (control_.get()->*rpc)(context, request, response); });
   }
 
+  /// As control, for a step. If it contains commands, their rejection is an error of the component and throws std::invalid_argument.
+  sim::v1::StepSimulationResponse step(const std::string& what, const sim::v1::StepSimulationRequest& request) {
+    return call<sim::v1::StepSimulationResponse>(what, request.commands_size() > 0, [&](auto* context, auto* response) {
+      return control_->StepSimulation(context, request, response);
+    });
+  }
+
   /// As control, for VirtualHardware. A command that a device rejects is an error of the component and throws std::invalid_argument.
   template <class Request, class Response>
   Response hardware(const std::string& what,

@@ -1,5 +1,6 @@
 """Resolves the names in device declarations: sites, joints, and the actuators that drive them."""
 
+import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeVar
 
@@ -99,6 +100,14 @@ def mode_of(model: mujoco.MjModel, actuator: int, key: str) -> str:
             if by_position == 0 and by_velocity == -gain:
                 return "velocity"
     raise BindingError(key, "the actuator is none of <position>, <velocity>, <motor>")
+
+
+def limits_of(model: mujoco.MjModel, actuator: int) -> tuple[float, float]:
+    """The smallest and the largest control that `command_actuator` accepts."""
+    if not model.actuator_ctrllimited[actuator]:
+        return -math.inf, math.inf
+    low, high = model.actuator_ctrlrange[actuator].tolist()
+    return low, high
 
 
 def command_actuator(model: mujoco.MjModel, data: mujoco.MjData, actuator: int, value: float, shown: str) -> None:

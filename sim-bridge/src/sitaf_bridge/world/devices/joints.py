@@ -1,6 +1,6 @@
 """Kinds `joint_encoder` and `joint_motor`: sensors and drives of hinge and slide joints."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import mujoco
@@ -14,9 +14,10 @@ from sitaf_bridge.world.devices.binding import (
     find_all,
     find_single_joint,
     joint_of,
+    limits_of,
     mode_of,
 )
-from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Reading, expected_form
+from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Limits, Reading, expected_form
 
 FIELDS = ("position", "velocity", "effort")
 
@@ -141,6 +142,11 @@ class MotorBank:
         if mode != motor.mode:
             raise InvalidRequest(f"commands: the motor {command.device} takes {motor.mode}, not {mode}")
         command_actuator(model, data, motor.actuator, value, f"{command.device}.{mode}")
+
+    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
+        """The mode of the actuator."""
+        motor = self._by_name[device]
+        return {motor.mode: limits_of(model, motor.actuator)}
 
     def actuators(self, device: str) -> tuple[int, ...]:
         """The actuator of a motor."""

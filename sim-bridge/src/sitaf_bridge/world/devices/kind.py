@@ -34,6 +34,10 @@ class DeviceDeclaration:
         return int(model.nuserdata) - len(KNOBS) * self.slot + KNOBS.index(knob)
 
 
+# The smallest and the largest valid number, both inclusive.
+Limits = tuple[float, float]
+
+
 class Reading(NamedTuple):
     """The reading of one device at the current step: the fields of its kind, booleans as 0 and 1."""
 
@@ -63,6 +67,10 @@ class ActuatorBank(Bank, Protocol):
 
     def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
         """Run a command with finite numbers. Raises InvalidRequest, UnreachableValue."""
+        ...
+
+    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
+        """The numbers that a command may contain, each with its limits; none if limits concern several together."""
         ...
 
     def actuators(self, device: str) -> tuple[int, ...]:

@@ -1,14 +1,15 @@
 """Kinds `differential_drive` and `gripper`: several actuators with one command."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import mujoco
 
 from sitaf_bridge.errors import UnreachableValue
 from sitaf_bridge.world.description.yaml_block import Block, Problems
-from sitaf_bridge.world.devices.binding import BindingError, Joint, command_actuator, find, find_all, joint_of, mode_of
-from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Reading, expected_form
+from sitaf_bridge.world.devices.binding import BindingError, Joint, command_actuator, find, find_all, joint_of, limits_of, mode_of
+from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Limits, Reading, expected_form
 
 
 @dataclass(frozen=True)
@@ -108,6 +109,12 @@ class DriveBank:
             shown = f"{command.device}: {side} wheel in rad/s"
             command_actuator(model, data, actuator, speed / declaration.wheel_radius, shown)
 
+    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
+        """Any velocity, unless a wheel has limits, which concern both numbers together."""
+        if any(model.actuator_ctrllimited[actuator] for actuator in self.actuators(device)):
+            return {}
+        return {"linear": (-math.inf, math.inf), "angular": (-math.inf, math.inf)}
+
     def actuators(self, device: str) -> tuple[int, ...]:
         """The actuators of both wheels."""
         return self._by_name[device][1].actuators
@@ -172,6 +179,13 @@ class GripperBank:
             )
         for actuator in pair.actuators:
             command_actuator(model, data, actuator, width / 2, f"{command.device}.width/2")
+
+    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
+        """The widths that the hand and both of its fingers reach."""
+        declaration, pair = self._by_name[device]
+        assert isinstance(declaration, GripperDeclaration)  # noqa: S101
+        lows, highs = zip(*(limits_of(model, actuator) for actuator in pair.actuators), strict=True)
+        return {"width": (max(0.0, *(2 * low for low in lows)), min(declaration.width, *(2 * high for high in highs)))}
 
     def actuators(self, device: str) -> tuple[int, ...]:
         """The actuators of both fingers."""

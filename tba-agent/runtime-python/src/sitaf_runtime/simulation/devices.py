@@ -20,6 +20,10 @@ class Access(Protocol):
         """Several numbers of the reading."""
         ...
 
+    def after_commands(self) -> Access:
+        """The same access, after pending commands were sent: for numbers that commands change before time advances."""
+        ...
+
     def setting(self) -> Any:
         """The reading at the start of the session, which contains the constants of the device."""
         ...
@@ -92,6 +96,7 @@ class Imu(_Simulated, sensors.ImuSensor):
         return self._vector(4)
 
     def linear_acceleration(self) -> Vector:
+        self._access.after_commands()
         return self._vector(7)
 
 
@@ -119,9 +124,11 @@ class Force(_Simulated, sensors.ForceTorqueSensor):
     """A force and torque sensor."""
 
     def force(self) -> Vector:
+        self._access.after_commands()
         return self._vector(0)
 
     def torque(self) -> Vector:
+        self._access.after_commands()
         return self._vector(3)
 
 
@@ -129,10 +136,10 @@ class Bumper(_Simulated, sensors.ContactSensor):
     """A contact sensor."""
 
     def is_pressed(self) -> bool:
-        return self._access.number(0) > 0.5
+        return self._access.after_commands().number(0) > 0.5
 
     def force(self) -> float:
-        return self._access.number(1)
+        return self._access.after_commands().number(1)
 
 
 class Compass(_Simulated, sensors.Magnetometer):
@@ -170,7 +177,7 @@ class Motor(Encoder, actuators.JointMotor):
     """A joint's motor."""
 
     def effort(self) -> float:
-        return self._access.number(2)
+        return self._access.after_commands().number(2)
 
     def set_position(self, target: float) -> None:
         self._access.write(pb.DeviceCommand(joint=pb.JointCommand(position=target)))
@@ -208,7 +215,7 @@ class Hand(_Simulated, actuators.Gripper):
         return self._access.number(0)
 
     def effort(self) -> float:
-        return self._access.number(1)
+        return self._access.after_commands().number(1)
 
     def move(self, width: float) -> None:
         self._access.write(pb.DeviceCommand(gripper=pb.GripperCommand(width_m=width)))
@@ -218,7 +225,7 @@ class Line(_Simulated, actuators.DigitalLine):
     """A digital line."""
 
     def is_high(self) -> bool:
-        return self._access.number(0) > 0.5
+        return self._access.after_commands().number(0) > 0.5
 
     def set(self, high: bool) -> None:
         self._access.write(pb.DeviceCommand(level=high))

@@ -1,7 +1,7 @@
 """The hardware of a simulated robot.
 
-Readings come from the state after the last step, without a round trip; commands, images and waits are calls to the
-simulator.
+Readings come from the state after the last step, without a round trip; images and waits are calls to the simulator.
+Commands travel with the next wait, or with a reading that they change before time advances.
 """
 
 from __future__ import annotations
@@ -24,7 +24,11 @@ class Simulator(Protocol):
     """Operations that call the simulator."""
 
     def write(self, command: pb.DeviceCommand) -> None:
-        """Send a command to a device."""
+        """Command a device, at the latest with the next step."""
+        ...
+
+    def send_pending(self) -> None:
+        """Send the commands that wait for the next step."""
         ...
 
     def look(self, camera: str) -> pb.Reading:
@@ -143,6 +147,11 @@ class _Access:
         values = self._hardware.world.numbers[first : self._end if count < 0 else first + count]
         self._hardware.stopwatch.leave_hardware(entered)
         return list(values)
+
+    def after_commands(self) -> _Access:
+        with self._hardware.stopwatch.in_hardware():
+            self._hardware.simulator.send_pending()
+        return self
 
     def setting(self) -> Any:
         with self._hardware.stopwatch.in_hardware():

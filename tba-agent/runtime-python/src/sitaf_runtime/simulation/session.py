@@ -19,6 +19,7 @@ from sitaf_runtime.simulation.ahead import Preparation
 from sitaf_runtime.simulation.frozen import Layout
 from sitaf_runtime.simulation.hardware import SimulatedHardware
 from sitaf_runtime.simulation.passing_time import PassingTime
+from sitaf_runtime.simulation.pending import PendingCommands
 from sitaf_runtime.simulation.recording import Recording
 from sitaf_runtime.simulation.wire.service import client
 from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
@@ -88,6 +89,7 @@ class Simulation:
             self._layout.freeze(created.state),
             self,
         )
+        self._pending = PendingCommands(created.world)
         self._ahead = Preparation(self._layout, upcoming, self._prepare_many)
         # The case that the session itself still has to prepare; set while readings come in bulk.
         self._pending_preparation: pb.PrepareRequest | None = None
@@ -118,6 +120,7 @@ class Simulation:
 
     def numbers(self, device: str) -> list[float]:
         """The numbers of a device's reading at the current step, in the order of its fields."""
+        self.send_pending()
         start, end = self._layout.places[device]
         return list(self._hardware.world.numbers[start:end])
 
@@ -135,6 +138,8 @@ class Simulation:
         count from the call under test, which begins `call_after_s` later.
         """
         self._passed_ns = 0
+        # The reset would undo them.
+        self._pending.take()
         self._time.restart()
         settle_ns = round(settle_s * _NANOS)
         settled_ns = self._time.steps_in(settle_ns) * self._timestep_ns
@@ -178,6 +183,7 @@ class Simulation:
         if at is None:
             names = ", ".join(self._layout.observations)
             raise SimulationError(f"the world has no observation '{name}'; it has {names or 'none'}")
+        self.send_pending()
         return self._hardware.world.numbers[at]
 
     def record(self, folder: Path) -> None:
@@ -199,6 +205,7 @@ class Simulation:
             return
         request = pb.TakeMotionRequest(session_id=self._session)
         try:
+            self._give_pending()
             taken = self._control.TakeMotion(request, timeout=_CALL_TIMEOUT_S)
         except grpc.RpcError as e:
             if _status(e)[0] == grpc.StatusCode.DATA_LOSS:
@@ -225,6 +232,7 @@ class Simulation:
     def set(self, parameter: str, value: float) -> None:
         """Set a parameter of the world in the running case, in its unit."""
         self._update_session()
+        self.send_pending()
         request = pb.SetParametersRequest(session_id=self._session, values={parameter: value})
         what = f"setting {parameter} to {value:g}"
         self._hardware.world = self._layout.freeze(self._ask(what, self._control.SetParameters, request).state)
@@ -238,6 +246,7 @@ class Simulation:
             return
         request = pb.KeepSignalsRequest(session_id=self._session, case_no=no, call_time_ns=self._call_ns)
         try:
+            self._give_pending()
             self._control.KeepSignals(request, timeout=_CALL_TIMEOUT_S)
         except grpc.RpcError as e:
             print(f"sitaf: {self._failure(f'keeping the signals of case {no}', e)}", file=sys.stderr)
@@ -256,21 +265,48 @@ class Simulation:
     # Calls of devices to the simulator.
 
     def write(self, command: pb.DeviceCommand) -> None:
-        """Send a command to a device. Raises ValueError, an error of the component, when the device rejects it."""
+        """Command a device: with the next step, or now if the device may reject the command.
+
+        Raises ValueError, an error of the component, when the device rejects it.
+        """
         self._update_session()
-        request = pb.WriteDevicesRequest(session_id=self._session, commands=[command])
+        if self._pending.is_acceptable(command):
+            if self._pending.is_full:
+                self.send_pending()
+            self._pending.add(command)
+            return
+        self.send_pending()
         try:
-            state = self._devices.WriteDevices(request, timeout=_CALL_TIMEOUT_S).state
+            self._give([command])
         except grpc.RpcError as e:
-            code, details = _status(e)
-            if code in (grpc.StatusCode.INVALID_ARGUMENT, grpc.StatusCode.OUT_OF_RANGE):
-                raise ValueError(details) from None
-            raise self._failure(f"commanding {command.device}", e) from None
-        self._hardware.world = self._layout.freeze(state)
+            raise self._rejected(f"commanding {command.device}", e) from None
+
+    def send_pending(self) -> None:
+        """Send the commands that wait for the next step, so that readings show their effect."""
+        try:
+            self._give_pending()
+        except grpc.RpcError as e:
+            raise self._rejected("commanding devices", e) from None
+
+    def _give_pending(self) -> None:
+        if self._pending:
+            self._give(self._pending.take())
+
+    def _give(self, commands: list[pb.DeviceCommand]) -> None:
+        request = pb.WriteDevicesRequest(session_id=self._session, commands=commands)
+        self._hardware.world = self._layout.freeze(self._devices.WriteDevices(request, timeout=_CALL_TIMEOUT_S).state)
+
+    def _rejected(self, what: str, e: grpc.RpcError) -> Exception:
+        """A command that a device rejects is an error of the component, not of the simulator."""
+        code, details = _status(e)
+        if code in (grpc.StatusCode.INVALID_ARGUMENT, grpc.StatusCode.OUT_OF_RANGE):
+            return ValueError(details)
+        return self._failure(what, e)
 
     def look(self, camera: str) -> pb.Reading:
         """Get the current image of a camera."""
         self._update_session()
+        self.send_pending()
         request = pb.ReadDevicesRequest(session_id=self._session, devices=[camera])
         return self._ask(f"reading the camera {camera}", self._devices.ReadDevices, request).state.readings[0]
 
@@ -281,9 +317,14 @@ class Simulation:
     def _step(self, steps: int) -> None:
         self._update_session()
         self._spend(steps * self._timestep_ns)
-        request = pb.StepSimulationRequest(session_id=self._session, steps=steps)
-        what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
-        self._hardware.world = self._layout.freeze(self._ask(what, self._control.StepSimulation, request).state)
+        commands = self._pending.take()
+        request = pb.StepSimulationRequest(session_id=self._session, steps=steps, commands=commands)
+        try:
+            state = self._control.StepSimulation(request, timeout=_CALL_TIMEOUT_S).state
+        except grpc.RpcError as e:
+            what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
+            raise (self._rejected(what, e) if commands else self._failure(what, e)) from None
+        self._hardware.world = self._layout.freeze(state)
 
     def _spend(self, time_ns: int) -> None:
         self._passed_ns += time_ns

@@ -18,7 +18,7 @@ final class SimulatedActuators {
 
     @Override
     public double effort() {
-      return access.read(reading -> reading.getJoint().getEffort());
+      return access.readAfterCommands(reading -> reading.getJoint().getEffort());
     }
 
     @Override
@@ -77,7 +77,7 @@ final class SimulatedActuators {
 
     @Override
     public double effort() {
-      return access.read(reading -> reading.getGripper().getEffortN());
+      return access.readAfterCommands(reading -> reading.getGripper().getEffortN());
     }
 
     @Override
@@ -90,7 +90,7 @@ final class SimulatedActuators {
   record Line(Access access) implements SimulatedDevice, DigitalLine {
     @Override
     public boolean isHigh() {
-      return access.read(reading -> reading.getLevel());
+      return access.readAfterCommands(reading -> reading.getLevel());
     }
 
     @Override

@@ -28,13 +28,18 @@ import org.sitaf.sim.v1.Reading;
 
 /**
  * The devices of a simulated robot. Readings come from the state after the last step, without a
- * round trip; commands, images and waits are calls to the simulator.
+ * round trip; images and waits are calls to the simulator. Commands travel with the next wait, or
+ * with a reading that they change before time advances.
  */
 final class SimulatedHardware implements Hardware {
 
   /** Operations that call the simulator. */
   interface Simulator {
+    /** Commands a device, at the latest with the next step. */
     void write(DeviceCommand command);
+
+    /** Sends the commands that wait for the next step. */
+    void sendPending();
 
     Reading look(String camera);
 
@@ -190,6 +195,17 @@ final class SimulatedHardware implements Hardware {
     <V> V read(Function<Reading, V> part) {
       long entered = stopwatch.enter();
       try {
+        return part.apply(world.reading(name));
+      } finally {
+        stopwatch.leaveHardware(entered);
+      }
+    }
+
+    /** Reads a number that commands change before time advances. */
+    <V> V readAfterCommands(Function<Reading, V> part) {
+      long entered = stopwatch.enter();
+      try {
+        simulator.sendPending();
         return part.apply(world.reading(name));
       } finally {
         stopwatch.leaveHardware(entered);

@@ -88,7 +88,7 @@ final class SimulatedSensors {
 
     @Override
     public Vector linearAcceleration() {
-      return access.read(reading -> vector(reading.getImu().getLinearAcceleration()));
+      return access.readAfterCommands(reading -> vector(reading.getImu().getLinearAcceleration()));
     }
   }
 
@@ -109,24 +109,24 @@ final class SimulatedSensors {
   record Force(Access access) implements SimulatedDevice, ForceTorqueSensor {
     @Override
     public Vector force() {
-      return access.read(reading -> vector(reading.getWrench().getForce()));
+      return access.readAfterCommands(reading -> vector(reading.getWrench().getForce()));
     }
 
     @Override
     public Vector torque() {
-      return access.read(reading -> vector(reading.getWrench().getTorque()));
+      return access.readAfterCommands(reading -> vector(reading.getWrench().getTorque()));
     }
   }
 
   record Bumper(Access access) implements SimulatedDevice, ContactSensor {
     @Override
     public boolean isPressed() {
-      return access.read(reading -> reading.getContact().getPressed());
+      return access.readAfterCommands(reading -> reading.getContact().getPressed());
     }
 
     @Override
     public double force() {
-      return access.read(reading -> reading.getContact().getForceN());
+      return access.readAfterCommands(reading -> reading.getContact().getForceN());
     }
   }
 

@@ -73,6 +73,7 @@ public final class Simulation implements AutoCloseable {
   private final Lease lease;
   private final long timestepNanos;
   private final Preparation preparation;
+  private final PendingCommands pending;
   private final Object acting = new Object();
   private volatile FrozenWorld world;
 
@@ -105,6 +106,7 @@ public final class Simulation implements AutoCloseable {
     this.time = new PassingTime(timestepNanos, this::step);
     this.preparation = new Preparation(created, upcoming, this::prepareMany);
     this.world = FrozenWorld.of(created.getState());
+    this.pending = new PendingCommands(created.getWorld());
     this.keepsSignals = created.getKeepsSignals();
     if (keepsSignals) {
       // Worlds that are prepared in bulk have no signals.
@@ -191,6 +193,8 @@ public final class Simulation implements AutoCloseable {
   public void prepare(Map<String, Double> parameters, Duration settle, Duration callAfter) {
     Prepared current = new Prepared(parameters, settle, callAfter);
     synchronized (acting) {
+      // The reset would undo them.
+      List<DeviceCommand> unused = pending.take();
       pendingPreparation = null;
       // Worlds in bulk show faults as if the call began now.
       Optional<FrozenWorld> known =
@@ -249,6 +253,7 @@ public final class Simulation implements AutoCloseable {
 
   /** The value of an observation at the current step, in the unit that the world declares. */
   public double observation(String name) {
+    sendPending();
     Double value = world.observations().get(name);
     if (value == null) {
       throw new SimulationException(
@@ -286,6 +291,7 @@ public final class Simulation implements AutoCloseable {
     }
     TakeMotionRequest request = TakeMotionRequest.newBuilder().setSessionId(session).build();
     try {
+      give(pending.take());
       current.save(no, stub(channel).takeMotion(request).getGltf().toByteArray());
     } catch (StatusRuntimeException e) {
       if (e.getStatus().getCode() != Status.Code.DATA_LOSS) {
@@ -320,6 +326,7 @@ public final class Simulation implements AutoCloseable {
    */
   public void set(String parameter, double value) {
     updateSession();
+    sendPending();
     SetParametersRequest request =
         SetParametersRequest.newBuilder().setSessionId(session).putValues(parameter, value).build();
     freeze(
@@ -345,6 +352,7 @@ public final class Simulation implements AutoCloseable {
             .setCallTimeNs(callNanos)
             .build();
     try {
+      give(pending.take());
       KeepSignalsResponse unused = stub(channel).keepSignals(request);
     } catch (StatusRuntimeException e) {
       SimulationException remembered =
@@ -404,12 +412,37 @@ public final class Simulation implements AutoCloseable {
 
   private void step(long steps) {
     updateSession();
+    List<DeviceCommand> commands = pending.take();
     StepSimulationRequest request =
-        StepSimulationRequest.newBuilder().setSessionId(session).setSteps(steps).build();
-    freeze(
-        ask(
-            "advancing by " + steps + " steps",
-            () -> stub(channel).stepSimulation(request).getState()));
+        StepSimulationRequest.newBuilder()
+            .setSessionId(session)
+            .setSteps(steps)
+            .addAllCommands(commands)
+            .build();
+    try {
+      freeze(stub(channel).stepSimulation(request).getState());
+    } catch (StatusRuntimeException e) {
+      String what = "advancing by " + steps + " steps";
+      throw commands.isEmpty() ? rememberLoss(failure(what, e), e) : rejectedByDevice(what, e);
+    }
+  }
+
+  /** Sends the commands that wait for the next step, so that readings show their effect. */
+  private void sendPending() {
+    try {
+      give(pending.take());
+    } catch (StatusRuntimeException e) {
+      throw rejectedByDevice("commanding devices", e);
+    }
+  }
+
+  private void give(List<DeviceCommand> commands) {
+    if (commands.isEmpty()) {
+      return;
+    }
+    WriteDevicesRequest request =
+        WriteDevicesRequest.newBuilder().setSessionId(session).addAllCommands(commands).build();
+    freeze(devices(channel).writeDevices(request).getState());
   }
 
   private void renew() {
@@ -430,47 +463,59 @@ public final class Simulation implements AutoCloseable {
     @Override
     public void write(DeviceCommand command) {
       updateSession();
-      WriteDevicesRequest request =
-          WriteDevicesRequest.newBuilder().setSessionId(session).addCommands(command).build();
-      try {
-        freeze(devices().writeDevices(request).getState());
-      } catch (StatusRuntimeException e) {
-        throw rejectedByDevice(command.getDevice(), e);
+      if (pending.isAcceptable(command)) {
+        if (pending.isFull()) {
+          sendPending();
+        }
+        pending.add(command);
+        return;
       }
+      sendPending();
+      try {
+        give(List.of(command));
+      } catch (StatusRuntimeException e) {
+        throw rejectedByDevice("commanding " + command.getDevice(), e);
+      }
+    }
+
+    @Override
+    public void sendPending() {
+      Simulation.this.sendPending();
     }
 
     @Override
     public Reading look(String camera) {
       updateSession();
+      sendPending();
       ReadDevicesRequest request =
           ReadDevicesRequest.newBuilder().setSessionId(session).addDevices(camera).build();
       return ask(
           "reading the camera " + camera,
-          () -> devices().readDevices(request).getState().getReadings(0));
+          () -> devices(channel).readDevices(request).getState().getReadings(0));
     }
 
     @Override
     public void advance(Duration time) {
       Simulation.this.advance(time);
     }
-
-    private VirtualHardwareBlockingStub devices() {
-      return VirtualHardwareGrpc.newBlockingStub(channel)
-          .withDeadlineAfter(CALL_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
-    }
   }
 
   /** A command that the device rejects is an error of the component, not of the simulator. */
-  private RuntimeException rejectedByDevice(String device, StatusRuntimeException e) {
+  private RuntimeException rejectedByDevice(String what, StatusRuntimeException e) {
     return switch (e.getStatus().getCode()) {
       case INVALID_ARGUMENT, OUT_OF_RANGE ->
           new IllegalArgumentException(String.valueOf(e.getStatus().getDescription()), e);
-      default -> rememberLoss(failure("commanding " + device, e), e);
+      default -> rememberLoss(failure(what, e), e);
     };
   }
 
   private static SimulationControlBlockingStub stub(ManagedChannel channel) {
     return SimulationControlGrpc.newBlockingStub(channel)
+        .withDeadlineAfter(CALL_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
+  }
+
+  private static VirtualHardwareBlockingStub devices(ManagedChannel channel) {
+    return VirtualHardwareGrpc.newBlockingStub(channel)
         .withDeadlineAfter(CALL_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
   }
 

@@ -44,6 +44,7 @@ class SimulatedHardwareTest {
           "eye", "camera");
 
   private final List<DeviceCommand> commands = new ArrayList<>();
+  private final List<Integer> sent = new ArrayList<>();
   private final List<Duration> advances = new ArrayList<>();
   private final SimulatedHardware hardware =
       new SimulatedHardware(KINDS, new Stopwatch(), FrozenWorld.of(state()), new Recorder());
@@ -52,6 +53,11 @@ class SimulatedHardwareTest {
     @Override
     public void write(DeviceCommand command) {
       commands.add(command);
+    }
+
+    @Override
+    public void sendPending() {
+      sent.add(commands.size());
     }
 
     @Override
@@ -138,7 +144,10 @@ class SimulatedHardwareTest {
                 .build(),
             command("hand").setGripper(GripperCommand.newBuilder().setWidthM(0.04)).build(),
             command("lamp").setLevel(true).build());
+    assertThat(motor.position()).isEqualTo(1);
+    assertThat(sent).isEmpty();
     assertThat(motor.effort()).isEqualTo(3);
+    assertThat(sent).containsExactly(4);
   }
 
   @Test

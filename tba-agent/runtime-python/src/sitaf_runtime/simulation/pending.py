@@ -1,0 +1,68 @@
+"""Commands of a component that travel with the next step."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Iterable
+
+from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
+
+# Commands without a step between them are sent when there are so many.
+_MAX_COMMANDS = 1024
+
+
+class PendingCommands:
+    """Commands that their devices are known to accept, in the order given. Thread-safe."""
+
+    def __init__(self, world: pb.WorldDescription) -> None:
+        self._limits = {
+            (device.name, number.name): (number.min, number.max)
+            for device in world.devices
+            for number in device.commands
+        }
+        self._commands: list[pb.DeviceCommand] = []
+        self._changing = threading.Lock()
+
+    def __bool__(self) -> bool:
+        return bool(self._commands)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether the commands must be sent before another one is added."""
+        return len(self._commands) >= _MAX_COMMANDS
+
+    def is_acceptable(self, command: pb.DeviceCommand) -> bool:
+        """Whether the device is known to accept a command: its numbers are finite and within their limits."""
+        numbers = list(_numbers(command))
+        return bool(numbers) and all(self._is_within(command.device, name, value) for name, value in numbers)
+
+    def add(self, command: pb.DeviceCommand) -> None:
+        """Add a command that is acceptable."""
+        with self._changing:
+            self._commands.append(command)
+
+    def take(self) -> list[pb.DeviceCommand]:
+        """Remove and return all commands."""
+        with self._changing:
+            taken, self._commands = self._commands, []
+            return taken
+
+    def _is_within(self, device: str, name: str, value: float) -> bool:
+        limits = self._limits.get((device, name))
+        return limits is not None and math.isfinite(value) and limits[0] <= value <= limits[1]
+
+
+def _numbers(command: pb.DeviceCommand) -> Iterable[tuple[str, float]]:
+    form: str | None = command.WhichOneof("command")
+    if form == "joint":
+        target: str | None = command.joint.WhichOneof("target")
+        if target is not None:
+            yield target, getattr(command.joint, target)
+    elif form == "drive":
+        yield "linear", command.drive.linear
+        yield "angular", command.drive.angular
+    elif form == "gripper":
+        yield "width", command.gripper.width_m
+    elif form == "level":
+        yield "level", float(command.level)
