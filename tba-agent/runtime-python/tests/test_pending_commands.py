@@ -22,7 +22,7 @@ MJCF = """<mujoco><option timestep="0.002" gravity="0 0 0"/><worldbody>
 <actuator><motor name="a" joint="a" ctrlrange="-3 3"/><motor name="b" joint="b"/></actuator></mujoco>"""
 YAML = """mjcf: w.xml
 observations:
-  A: {device: a.effort}
+  A: {device: a, field: effort}
 devices:
   a: {kind: joint_motor, actuator: a}
   b: {kind: joint_motor, actuator: b}

@@ -75,9 +75,7 @@ def world_message(world: World) -> pb.WorldDescription:
             for p in description.parameters.values()
         ],
         devices=[
-            pb.DeviceDescription(
-                name=d.name, kind=d.kind, fields=KINDS[d.kind].fields(d), commands=_commands(world, d)
-            )
+            pb.DeviceDescription(name=d.name, kind=d.kind, fields=KINDS[d.kind].fields(d), commands=_commands(world, d))
             for d in description.devices.values()
         ],
         observations=[pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()],

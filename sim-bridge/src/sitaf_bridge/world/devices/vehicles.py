@@ -8,7 +8,16 @@ import mujoco
 
 from sitaf_bridge.errors import UnreachableValue
 from sitaf_bridge.world.description.yaml_block import Block, Problems
-from sitaf_bridge.world.devices.binding import BindingError, Joint, command_actuator, find, find_all, joint_of, limits_of, mode_of
+from sitaf_bridge.world.devices.binding import (
+    BindingError,
+    Joint,
+    command_actuator,
+    find,
+    find_all,
+    joint_of,
+    limits_of,
+    mode_of,
+)
 from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Limits, Reading, expected_form
 
 

@@ -69,8 +69,7 @@ final class PendingCommands {
   }
 
   private boolean isWithin(DeviceCommand command, String name, double value) {
-    @Nullable CommandNumber number =
-        accepted.getOrDefault(command.getDevice(), Map.of()).get(name);
+    @Nullable CommandNumber number = accepted.getOrDefault(command.getDevice(), Map.of()).get(name);
     return number != null
         && Double.isFinite(value)
         && number.getMin() <= value
