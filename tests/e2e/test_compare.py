@@ -192,6 +192,7 @@ def test_another_release_of_a_package(compare):
     # The adapter does not fit the interface of this early release.
     assert {d["class"] for d in found["differences"]} == {"error"}
     assert len(found["differences"]) == 54
+    assert "NEW does not use the same packages and tools:\n  simple-pid 2.0.1 -> 0.1.0\n" in output
 
 
 def test_a_component_that_cannot_be_created_is_not_comparable(compare, tmp_path):

@@ -66,6 +66,17 @@ describe('a result', () => {
     expect(cells(first).slice(5, -1)).toEqual(['3', '–', '3', '5.0']);
   });
 
+  test('names the tools and packages of the build', async () => {
+    const cases = resultCases(['PASS']);
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1');
+    const table = await screen.findByRole('table', { name: 'What was executed' });
+    const rows = within(table).getAllByRole('row').map(cells);
+    expect(rows).toContainEqual(['Compiler', 'Python 3.11.2']);
+    expect(rows).toContainEqual(['Package', `numpy 2.4.6 ${'d'.repeat(64)}`]);
+  });
+
   test('hides constant parameters', async () => {
     const cases = resultCases(['PASS', 'FAIL', 'PASS']).map((item) => ({
       ...item,

@@ -207,6 +207,8 @@ export function result(cases: readonly ResultCase[]): Result {
       component: 'c'.repeat(64),
       agent: 'bench-1',
       bridge: 'sitaf_bridge',
+      compiler: 'Python 3.11.2',
+      packages: [{ name: 'numpy', version: '2.4.6', sha256: 'd'.repeat(64) }],
       started: CREATED,
       finished: CREATED,
     },

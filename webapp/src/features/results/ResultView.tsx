@@ -7,6 +7,7 @@ import type { Trajectory } from './CaseFacts';
 import { CaseFilters } from './CaseFilters';
 import { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
 import { RelationCounts } from './RelationCounts';
+import { ResultProvenance } from './ResultProvenance';
 import { ResultSummary } from './ResultSummary';
 import { ResultTable } from './ResultTable';
 import { Suspicions } from './Suspicions';
@@ -41,7 +42,7 @@ export function ResultView({
   if (!result.data) {
     return <ProblemAlert title="The result could not be read" error={result.error} />;
   }
-  const { summary, parameters, suspicions, relations } = result.data;
+  const { summary, parameters, suspicions, relations, provenance } = result.data;
   return (
     <Stack gap="lg">
       <Section title="Result" actions={<Downloads buildId={buildId} />}>
@@ -66,6 +67,7 @@ export function ResultView({
           }}
         />
       </Section>
+      <ResultProvenance provenance={provenance} />
       <CaseDrawer
         item={caseNo === undefined ? null : (shown.data ?? null)}
         parameters={parameters}

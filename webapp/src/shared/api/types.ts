@@ -18,6 +18,7 @@ export type ComparedCase = Schemas['ComparedCase'];
 export type CoverageFile = Schemas['CoverageFile'];
 export type Diagnostic = Schemas['Diagnostic'];
 export type Problem = Schemas['Problem'];
+export type Provenance = Schemas['Provenance'];
 export type Result = Schemas['Result'];
 export type ResultCase = Schemas['ResultCase'];
 export type ResultParameter = Schemas['ResultParameter'];

@@ -10,6 +10,7 @@ import org.sitaf.cli.describe.DescribeCommand;
 import org.sitaf.cli.explain.ExplainCommand;
 import org.sitaf.cli.explain.ReplayCommand;
 import org.sitaf.cli.falsify.FalsifyCommand;
+import org.sitaf.cli.lock.LockCommand;
 import org.sitaf.cli.run.RunCommand;
 import org.sitaf.cli.score.ScoreCommand;
 import org.sitaf.cli.system.DemoCommand;
@@ -35,6 +36,7 @@ import picocli.CommandLine.ExitCode;
       RunCommand.class,
       FalsifyCommand.class,
       CampaignCommand.class,
+      LockCommand.class,
       CompareCommand.class,
       BisectCommand.class,
       ExplainCommand.class,

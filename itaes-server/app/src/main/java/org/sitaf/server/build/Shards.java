@@ -103,6 +103,8 @@ final class Shards {
         first.component(),
         distinct(all.stream().map(Provenance::agent).toList()),
         distinct(all.stream().map(Provenance::bridge).toList()),
+        distinct(all.stream().map(Provenance::compiler).toList()),
+        all.stream().flatMap(p -> p.packages().stream()).distinct().sorted().toList(),
         all.stream().map(Provenance::started).min(String::compareTo).orElse(""),
         all.stream().map(Provenance::finished).max(String::compareTo).orElse(""));
   }

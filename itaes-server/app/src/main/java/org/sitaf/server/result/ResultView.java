@@ -3,6 +3,7 @@ package org.sitaf.server.result;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.Provenance;
@@ -99,6 +100,15 @@ record ResultView(
       String component,
       String agent,
       String bridge,
+      @Schema(
+              description =
+                  "compiler or interpreter with its version and options; empty in results of"
+                      + " earlier releases")
+          String compiler,
+      @Schema(
+              description =
+                  "the packages that the component uses, with those that they need, by name")
+          List<PackageView> packages,
       @Schema(description = "ISO 8601, UTC") String started,
       @Schema(description = "ISO 8601, UTC") String finished) {
     static ProvenanceView of(Provenance provenance) {
@@ -109,8 +119,20 @@ record ResultView(
           provenance.component(),
           provenance.agent(),
           provenance.bridge(),
+          provenance.compiler(),
+          provenance.packages().stream().map(PackageView::of).toList(),
           provenance.started(),
           provenance.finished());
+    }
+  }
+
+  @Schema(name = "ResolvedPackage")
+  record PackageView(
+      @Schema(description = "GROUP:ARTIFACT for a Maven package") String name,
+      String version,
+      @Schema(description = "of the downloaded file") String sha256) {
+    static PackageView of(ResolvedPackage resolved) {
+      return new PackageView(resolved.name(), resolved.version(), resolved.sha256());
     }
   }
 

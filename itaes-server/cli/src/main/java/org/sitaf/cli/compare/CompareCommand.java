@@ -7,8 +7,10 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.Sitaf;
@@ -130,7 +132,7 @@ public final class CompareCommand implements Callable<Integer> {
       }
     }
     Comparison comparison = merged.comparison();
-    ComparisonText.print(comparison, out);
+    ComparisonText.print(comparison, List.copyOf(merged.otherTools), out);
     write(comparison, merged.results, after);
     return comparison.cases().isEmpty()
         ? Sitaf.UNUSABLE
@@ -227,9 +229,11 @@ public final class CompareCommand implements Callable<Integer> {
     private final List<Comparison> parts = new ArrayList<>();
     private final List<NotComparable> notComparable = new ArrayList<>();
     private final List<TestResult> results = new ArrayList<>();
+    private final Set<String> otherTools = new LinkedHashSet<>();
 
     void add(ModelComparison.Outcome outcome) {
       parts.add(outcome.comparison());
+      otherTools.addAll(outcome.otherTools());
       if (outcome.result() != null) {
         results.add(outcome.result());
       }

@@ -22,7 +22,17 @@ final class ComparisonText {
     this.out = out;
   }
 
-  static void print(Comparison comparison, PrintWriter out) {
+  /**
+   * Prints a comparison.
+   *
+   * @param otherTools packages and tools that the versions do not share
+   */
+  static void print(Comparison comparison, List<String> otherTools, PrintWriter out) {
+    if (!otherTools.isEmpty()) {
+      out.println("NEW does not use the same packages and tools:");
+      otherTools.forEach(each -> out.println("  " + Printable.line(each)));
+      out.println();
+    }
     new ComparisonText(out).print(comparison);
   }
 

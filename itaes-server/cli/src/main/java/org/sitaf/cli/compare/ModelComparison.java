@@ -42,6 +42,7 @@ final class ModelComparison {
   private final List<Difference> unstable = new ArrayList<>();
   private final List<Difference> slower = new ArrayList<>();
   private final List<NotComparable> notComparable = new ArrayList<>();
+  private List<String> otherTools = List.of();
 
   /**
    * Prepares the comparison.
@@ -65,8 +66,9 @@ final class ModelComparison {
    * The comparison, and the result of the new version.
    *
    * @param result null if a version could not be run
+   * @param otherTools packages and tools that the versions do not share
    */
-  record Outcome(Comparison comparison, @Nullable TestResult result) {}
+  record Outcome(Comparison comparison, @Nullable TestResult result, List<String> otherTools) {}
 
   /** Runs all cases with both versions, and the differing cases again. */
   Outcome run() throws IOException, InterruptedException {
@@ -100,6 +102,7 @@ final class ModelComparison {
       add("no case begins with either version: " + failure.get());
       return outcome(firstNow.result());
     }
+    otherTools = OtherTools.of(firstBase.result(), firstNow.result());
     confirm(found, firstBase, firstNow);
     confirmSlower(firstBase, firstNow);
     coverage();
@@ -128,7 +131,9 @@ final class ModelComparison {
 
   private Outcome outcome(@Nullable TestResult result) {
     return new Outcome(
-        new Comparison(compared, differences, lastBits, unstable, slower, notComparable), result);
+        new Comparison(compared, differences, lastBits, unstable, slower, notComparable),
+        result,
+        otherTools);
   }
 
   /** An output that is not comparable for the same reason in several cases is listed once. */

@@ -14,6 +14,7 @@ import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.lock.ActivityLock;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 /**
@@ -52,7 +53,7 @@ record NewPackage(String name, String version) {
     Component component = activity.profile().component();
     String used = component.packageName();
     if (used != null && isOf(component.language(), used.strip())) {
-      return withComponent(activity.files(), used);
+      return unlocked(withComponent(activity.files(), used));
     }
     if (component.language() != Language.PYTHON) {
       throw InvalidInputException.of(
@@ -61,7 +62,20 @@ record NewPackage(String name, String version) {
               + (used == null ? ", which has none" : ", " + used)
               + "; other packages can be replaced for Python components only");
     }
-    return withDependency(activity.files(), component);
+    return unlocked(withDependency(activity.files(), component));
+  }
+
+  /** Keeps the other packages of a lock. */
+  private FileTree unlocked(FileTree files) {
+    return ActivityLock.of(files)
+        .map(
+            lock ->
+                files.with(
+                    ActivityLock.FILE,
+                    lock.without(name.contains(":") ? name : normalised(name))
+                        .text()
+                        .getBytes(UTF_8)))
+        .orElse(files);
   }
 
   private boolean isOf(Language language, String used) {

@@ -46,7 +46,7 @@ import tools.jackson.databind.json.JsonMapper;
 public final class ReplayCommand implements Callable<Integer> {
   private static final int DIFFERS = 1;
   private static final List<String> CONDITIONS =
-      List.of("component", "harness", "simulator", "machine");
+      List.of("component", "harness", "simulator", "compiler", "packages", "machine");
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -115,7 +115,8 @@ public final class ReplayCommand implements Callable<Integer> {
                 + " in the bundle");
     boolean any = false;
     for (String name : CONDITIONS) {
-      if (!isSame(recorded, now, name)) {
+      // Bundles of earlier releases lack some of them.
+      if (recorded.has(name) && !isSame(recorded, now, name)) {
         any = true;
         out.println(
             "  the "
@@ -129,8 +130,8 @@ public final class ReplayCommand implements Callable<Integer> {
     }
     if (!any) {
       out.println(
-          "  component, harness, simulator and machine are the same, so the case is not"
-              + " reproducible");
+          "  component, harness, simulator, compiler, packages and machine are the same, so the case"
+              + " is not reproducible");
     }
     out.flush();
     return DIFFERS;

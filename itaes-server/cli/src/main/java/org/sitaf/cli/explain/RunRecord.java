@@ -4,6 +4,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.sitaf.core.digest.Sha256;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
@@ -29,6 +30,12 @@ record RunRecord(Map<String, String> entries) {
     entries.put("component", result.provenance().component());
     entries.put("harness", result.provenance().harness());
     entries.put("simulator", result.provenance().bridge());
+    entries.put("compiler", result.provenance().compiler());
+    entries.put(
+        "packages",
+        result.provenance().packages().stream()
+            .map(each -> each.name() + " " + each.version())
+            .collect(Collectors.joining(", ")));
     entries.put(
         "machine",
         System.getProperty("os.name")

@@ -30,7 +30,7 @@ class ComparisonTextTest {
 
   private static String text(Comparison comparison) {
     StringWriter text = new StringWriter();
-    ComparisonText.print(comparison, new PrintWriter(text));
+    ComparisonText.print(comparison, List.of(), new PrintWriter(text));
     return text.toString();
   }
 

@@ -5,12 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.lock.ActivityLock;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 class NewPackageTest {
@@ -49,6 +52,23 @@ class NewPackageTest {
                     ""));
     assertThat(files.text("component/requirements.txt")).contains("numpy-stl==3.0\n");
     assertThat(files.text("requirements.txt")).contains("numpy==2.4.0\n");
+  }
+
+  @Test
+  void keepsTheOtherPackagesOfALock() {
+    String digest = "0123456789abcdef".repeat(4);
+    ResolvedPackage six = new ResolvedPackage("six", "1.16.0", digest);
+    ResolvedPackage numpy = new ResolvedPackage("numpy", "2.4.6", digest);
+    FileTree files =
+        NewPackage.parse("NumPy==2.4.0")
+            .in(
+                activity(
+                    "language: python, sources: component/, class: a.A",
+                    "component/requirements.txt",
+                    "numpy\nsix\n",
+                    ActivityLock.FILE,
+                    new ActivityLock(List.of(six, numpy), true).text()));
+    assertThat(ActivityLock.of(files)).contains(new ActivityLock(List.of(six), false));
   }
 
   @Test

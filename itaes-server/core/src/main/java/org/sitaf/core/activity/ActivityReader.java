@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.lock.ActivityLock;
 import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.activity.ros.NodeSources;
 import org.sitaf.core.activity.ros.RosInterfaces;
@@ -67,6 +68,7 @@ final class ActivityReader {
                     InvalidInputException.of(
                         PROFILE, "is missing; an activity must have this file in its root folder"));
     ActivityProfile profile = ProfileReader.read(text, PROFILE, diagnostics);
+    ActivityLock.of(files, diagnostics);
     requireFew("models", profile.models());
     requireFew("provided", profile.provided());
     requireFew("required", profile.required());

@@ -9,6 +9,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
@@ -40,7 +41,17 @@ class ResultAssemblerTest {
       </test_model>
       """;
   private static final Provenance PROVENANCE =
-      new Provenance("s", 1, "h", "c", "", "", "2026-01-01T00:00:00Z", "2026-01-01T00:00:01Z");
+      new Provenance(
+          "s",
+          1,
+          "h",
+          "c",
+          "",
+          "",
+          "Python 3.11.2",
+          List.of(new ResolvedPackage("numpy", "2.4.6", "ab")),
+          "2026-01-01T00:00:00Z",
+          "2026-01-01T00:00:01Z");
 
   private final TestModel model = read();
   private final TestSuite suite =

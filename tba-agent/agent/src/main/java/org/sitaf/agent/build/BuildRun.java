@@ -34,6 +34,7 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.TestSuite;
@@ -220,6 +221,8 @@ public final class BuildRun {
       warnings.forEach(log::remark);
 
       listener.stage(BuildStage.RUNNING);
+      UsedTools used =
+          new UsedTools(toolchain.compiler(application.activity().profile()), compiled.packages());
       CaseSignals signals = prepared.signals();
       ExecutionRequest request = request(compiled, prepared);
       RelationRuns.Executed relations =
@@ -233,7 +236,8 @@ public final class BuildRun {
               signals.conditions(),
               relations.runs());
       reporter =
-          ended -> report(ended, relations.suspicions(), assembler, prepared.bridge(), started);
+          ended ->
+              report(ended, relations.suspicions(), assembler, prepared.bridge(), used, started);
       Execution execution =
           execute(
               request,
@@ -243,7 +247,7 @@ public final class BuildRun {
       signals.report(log);
 
       TestResult result =
-          report(execution, relations.suspicions(), assembler, prepared.bridge(), started);
+          report(execution, relations.suspicions(), assembler, prepared.bridge(), used, started);
       return new BuildOutcome.Completed(withCoverage(result, compiled, request, log), warnings);
     }
   }
@@ -375,11 +379,15 @@ public final class BuildRun {
     return result;
   }
 
+  /** What a build used in addition to the files of the application. */
+  private record UsedTools(String compiler, List<ResolvedPackage> packages) {}
+
   private TestResult report(
       Execution execution,
       List<String> furtherSuspicions,
       ResultAssembler assembler,
       String bridge,
+      UsedTools used,
       Instant started) {
     List<String> suspicions = new ArrayList<>(furtherSuspicions);
     suspicions.addAll(execution.suspicions());
@@ -392,6 +400,8 @@ public final class BuildRun {
             Digests.of(componentFiles()),
             settings.agent(),
             bridge,
+            used.compiler(),
+            used.packages(),
             started.truncatedTo(ChronoUnit.MILLIS).toString(),
             Instant.now().truncatedTo(ChronoUnit.MILLIS).toString());
     return assembler

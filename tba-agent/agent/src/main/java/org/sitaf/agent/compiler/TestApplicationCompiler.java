@@ -4,12 +4,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.Toolchain;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.harness.TestApplication;
 
 /**
@@ -48,6 +51,25 @@ public record TestApplicationCompiler(
         coverage,
         debugging,
         sandbox);
+  }
+
+  /**
+   * The packages of an application, in ascending order; downloads those that are missing. Compiles
+   * nothing.
+   *
+   * @param directory for temporary files; created if missing
+   * @throws CompilationException if packages cannot be downloaded, or are not those of the lock
+   */
+  public List<ResolvedPackage> packages(TestApplication application, Path directory)
+      throws CompilationException, InterruptedException, IOException {
+    Path sources = directory.resolve("sources");
+    FileTree files = application.activity().files();
+    for (String path : files.paths()) {
+      Path file = sources.resolve("activity").resolve(path);
+      Files.createDirectories(file.getParent());
+      Files.write(file, files.content(path).orElseThrow());
+    }
+    return toolchain.open(begin(application, sources, directory)).packages();
   }
 
   /**

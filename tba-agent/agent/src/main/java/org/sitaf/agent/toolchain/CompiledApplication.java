@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sitaf.agent.toolchain.debug.DebugPlace;
 import org.sitaf.agent.toolchain.debug.Debuggee;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.verdict.Coverage;
 
 /** A compiled test application, which can be started many times, also in parallel. */
@@ -46,6 +47,11 @@ public interface CompiledApplication {
    * file:line:column: warning: message}.
    */
   default List<String> warnings() throws IOException {
+    return List.of();
+  }
+
+  /** The packages that the component uses, with those that they need, in ascending order. */
+  default List<ResolvedPackage> packages() {
     return List.of();
   }
 

@@ -14,6 +14,11 @@ public interface Toolchain {
   /** Version of the compiler or interpreter, such as {@code javac 17.0.15}. */
   String version();
 
+  /** The compiler or interpreter with the options for an activity's sources. */
+  default String compiler(ActivityProfile profile) {
+    return version();
+  }
+
   /**
    * Everything except the sources that determines the result of {@link #compile}: compiler,
    * options, runtime. Results of another identity are never reused.

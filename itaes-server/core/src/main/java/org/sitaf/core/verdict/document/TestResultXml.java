@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.document.XmlDocuments;
@@ -23,6 +24,7 @@ import org.sitaf.core.verdict.Verdict;
 import org.sitaf.schemas.CallType;
 import org.sitaf.schemas.CaseTimeType;
 import org.sitaf.schemas.NamedValueType;
+import org.sitaf.schemas.PackageType;
 import org.sitaf.schemas.ProvenanceType;
 import org.sitaf.schemas.RelationResultType;
 import org.sitaf.schemas.SummaryType;
@@ -95,7 +97,7 @@ public final class TestResultXml {
         ROOT,
         TestResultDocument.class,
         root,
-        Set.of("test_result", "param", "provenance", "line"),
+        Set.of("test_result", "param", "package", "line"),
         out);
   }
 
@@ -209,6 +211,15 @@ public final class TestResultXml {
         orEmpty(p.getComponent()),
         orEmpty(p.getAgent()),
         orEmpty(p.getBridge()),
+        orEmpty(p.getCompiler()),
+        p.getPackage().stream()
+            .map(
+                each ->
+                    new ResolvedPackage(
+                        orEmpty(each.getName()),
+                        orEmpty(each.getVersion()),
+                        orEmpty(each.getSha256())))
+            .toList(),
         orEmpty(p.getStarted()),
         orEmpty(p.getFinished()));
   }
@@ -282,6 +293,14 @@ public final class TestResultXml {
     written.setComponent(provenance.component());
     written.setAgent(provenance.agent());
     written.setBridge(provenance.bridge());
+    written.setCompiler(provenance.compiler().isEmpty() ? null : provenance.compiler());
+    for (ResolvedPackage each : provenance.packages()) {
+      PackageType used = new PackageType();
+      used.setName(each.name());
+      used.setVersion(each.version());
+      used.setSha256(each.sha256());
+      written.getPackage().add(used);
+    }
     written.setStarted(provenance.started());
     written.setFinished(provenance.finished());
     return written;

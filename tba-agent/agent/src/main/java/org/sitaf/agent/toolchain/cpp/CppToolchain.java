@@ -16,6 +16,7 @@ import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.CppBuild;
 
 /**
  * Compiles C++ test applications with this machine's compiler. The runtime, the only part that uses
@@ -99,6 +100,15 @@ public final class CppToolchain implements Toolchain {
   @Override
   public String version() {
     return compiler.version();
+  }
+
+  @Override
+  public String compiler(ActivityProfile profile) {
+    CppBuild build = profile.component().cpp();
+    List<String> options = new ArrayList<>(Compiler.options(build.standard()));
+    options.addAll(Compiler.sanitizing(profile.sanitizers()));
+    build.defines().forEach(define -> options.add("-D" + define));
+    return version() + " " + String.join(" ", options);
   }
 
   @Override

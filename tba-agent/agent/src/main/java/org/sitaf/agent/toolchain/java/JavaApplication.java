@@ -12,6 +12,7 @@ import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 import org.sitaf.agent.toolchain.debug.DebugPlace;
 import org.sitaf.agent.toolchain.debug.Debuggee;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.verdict.Coverage;
 
 /**
@@ -20,6 +21,7 @@ import org.sitaf.core.verdict.Coverage;
  * @param classPath absolute paths of runtime, libraries, and last the folder of classes
  * @param early whether processes start before the folder of classes is filled, and wait for it
  * @param archive class data sharing archive of the runtime for a faster start; null for none
+ * @param packages of the component, with those that they need
  * @param recording null if coverage is off
  */
 record JavaApplication(
@@ -27,6 +29,7 @@ record JavaApplication(
     String mainClass,
     boolean early,
     @Nullable Path archive,
+    List<ResolvedPackage> packages,
     @Nullable JavaCoverage recording)
     implements CompiledApplication {
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
@@ -45,6 +48,7 @@ record JavaApplication(
 
   JavaApplication {
     classPath = List.copyOf(classPath);
+    packages = List.copyOf(packages);
   }
 
   @Override

@@ -28,6 +28,8 @@ import org.sitaf.agent.toolchain.java.confined.Wire;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.lock.ActivityLock;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.harness.TestApplication;
 
 /**
@@ -109,7 +111,8 @@ public final class JavaToolchain implements Toolchain {
   /** The compiler gets no other files than sources and jars. */
   @Override
   public boolean readsElsewhere(String path, ActivityProfile profile) {
-    return path.endsWith(".jar") && Toolchain.super.readsElsewhere(path, profile);
+    return profile.component().packageName() != null && path.equals(ActivityLock.FILE)
+        || path.endsWith(".jar") && Toolchain.super.readsElsewhere(path, profile);
   }
 
   @Override
@@ -137,7 +140,12 @@ public final class JavaToolchain implements Toolchain {
             ? null
             : JavaCoverage.of(compilation, coverage).orElse(null);
     return new JavaApplication(
-        classPath, compilation.application().entryPoint(), early, archive, recording);
+        classPath,
+        compilation.application().entryPoint(),
+        early,
+        archive,
+        packages(compilation),
+        recording);
   }
 
   @Override
@@ -235,9 +243,21 @@ public final class JavaToolchain implements Toolchain {
     }
     String packageName = profile.component().packageName();
     if (packageName != null) {
-      jars.addAll(packages.jars(packageName, compilation));
+      packages.jars(packageName, compilation).forEach(jar -> jars.add(jar.file()));
     }
     return jars;
+  }
+
+  private List<ResolvedPackage> packages(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    List<ResolvedPackage> resolved = new ArrayList<>();
+    String wanted = compilation.application().activity().profile().component().packageName();
+    if (wanted != null) {
+      for (MavenPackages.Jar jar : packages.jars(wanted, compilation)) {
+        resolved.add(jar.resolved());
+      }
+    }
+    return resolved.stream().sorted().toList();
   }
 
   static SourceDiagnostic inProfile(String message) {

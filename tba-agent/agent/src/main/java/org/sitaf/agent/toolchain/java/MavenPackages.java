@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.Lock;
@@ -17,11 +18,16 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.core.activity.lock.ActivityLock;
+import org.sitaf.core.activity.lock.ResolvedPackage;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * Packages by Maven coordinates, with their runtime dependencies. Maven downloads them in the
@@ -48,8 +54,14 @@ final class MavenPackages {
   /** Exit code of a shell or sandbox for a missing program. */
   private static final int NOT_FOUND = 127;
 
-  private static final Pattern JAR = Pattern.compile("[A-Za-z0-9_.+-]{1,250}\\.jar");
+  /** The place of a jar in the layout of a repository. */
+  private static final Pattern JAR =
+      Pattern.compile(
+          "((?:[A-Za-z0-9_.-]{1,100}/){1,30})([A-Za-z0-9_.-]{1,200})/([A-Za-z0-9_][A-Za-z0-9_.+-]{0,199})/"
+              + "[A-Za-z0-9_.+-]{1,250}\\.jar");
+
   private static final int MAX_JARS = 1000;
+  private static final int MAX_DEPTH = 40;
 
   /** Repository ids in Maven's settings. */
   private static final Pattern REPOSITORY =
@@ -63,12 +75,23 @@ final class MavenPackages {
   }
 
   /**
+   * A jar of a package or of one that it needs.
+   *
+   * @param name {@code GROUP:ARTIFACT}, with {@code :CLASSIFIER} if there is one
+   */
+  record Jar(Path file, String name, String version) {
+    ResolvedPackage resolved() throws IOException {
+      return new ResolvedPackage(name, version, Sha256.hex(Files.readAllBytes(file)));
+    }
+  }
+
+  /**
    * The jars of a package; downloads them at the first use.
    *
    * @param wanted such as {@code org.apache.commons:commons-math3:3.6.1}
    * @throws CompilationException if the coordinates are invalid or the download fails
    */
-  List<Path> jars(String wanted, Compilation compilation)
+  List<Jar> jars(String wanted, Compilation compilation)
       throws CompilationException, IOException, InterruptedException {
     Matcher coordinates = COORDINATES.matcher(wanted.strip());
     if (!coordinates.matches()) {
@@ -78,27 +101,80 @@ final class MavenPackages {
               + "' is not a package such as org.apache.commons:commons-math3:3.6.1, with group,"
               + " artifact and version");
     }
-    Path folder = cache.resolve("packages").resolve(wanted.strip().replace(':', '!'));
+    ActivityLock lock = ActivityLock.of(compilation.application().activity().files()).orElse(null);
+    String releases =
+        lock == null ? "" : "!" + Sha256.hex(lock.text().getBytes(StandardCharsets.UTF_8));
+    Path folder = cache.resolve("resolved").resolve(wanted.strip().replace(':', '!') + releases);
     // Maven's local repository does not support concurrent writers.
     downloadLock.lockInterruptibly();
     try {
       if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
-        download(coordinates, folder, compilation);
+        download(coordinates, lock, folder, compilation);
       }
     } finally {
       downloadLock.unlock();
     }
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))
-          .filter(file -> JAR.matcher(file.getFileName().toString()).matches())
-          .limit(MAX_JARS)
-          .sorted()
-          .toList();
+    return jarsIn(folder);
+  }
+
+  private static List<Jar> jarsIn(Path folder) throws IOException {
+    List<Jar> jars = new ArrayList<>();
+    try (Stream<Path> files = Files.walk(folder, MAX_DEPTH)) {
+      for (Path file :
+          files
+              .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))
+              .limit(MAX_JARS)
+              .sorted(Comparator.comparing((Path file) -> file.getFileName().toString()))
+              .toList()) {
+        Matcher place = JAR.matcher(folder.relativize(file).toString());
+        if (place.matches()) {
+          String group = place.group(1).replaceAll("/$", "").replace('/', '.');
+          String rest = file.getFileName().toString();
+          rest = rest.substring(0, rest.length() - ".jar".length());
+          String plain = place.group(2) + "-" + place.group(3);
+          String classifier =
+              rest.startsWith(plain + "-") ? ":" + rest.substring(plain.length() + 1) : "";
+          jars.add(new Jar(file, group + ":" + place.group(2) + classifier, place.group(3)));
+        }
+      }
+    }
+    return jars;
+  }
+
+  /** The releases of a lock, for the dependencies of a package. */
+  private static String managed(@Nullable ActivityLock lock) {
+    StringBuilder managed = new StringBuilder();
+    for (ResolvedPackage each : lock == null ? List.<ResolvedPackage>of() : lock.packages()) {
+      String[] parts = each.name().split(":", -1);
+      if (parts.length == 2) {
+        managed.append(
+            "<dependency><groupId>%s</groupId><artifactId>%s</artifactId><version>%s</version></dependency>"
+                .formatted(parts[0], parts[1], each.version()));
+      }
+    }
+    return managed.toString();
+  }
+
+  /** Fails if the downloaded jars are not those of the lock. */
+  private static void verify(@Nullable ActivityLock lock, Path jars)
+      throws CompilationException, IOException {
+    if (lock == null) {
+      return;
+    }
+    List<ResolvedPackage> resolved = new ArrayList<>();
+    for (Jar jar : jarsIn(jars)) {
+      resolved.add(jar.resolved());
+    }
+    String mismatch = lock.mismatch(resolved).orElse(null);
+    if (mismatch != null) {
+      throw new CompilationException(
+          "the component's packages are not those of " + ActivityLock.FILE,
+          List.of(SourceDiagnostic.ofFile("activity/" + ActivityLock.FILE, mismatch)));
     }
   }
 
-  private void download(Matcher coordinates, Path folder, Compilation compilation)
+  private void download(
+      Matcher coordinates, @Nullable ActivityLock lock, Path folder, Compilation compilation)
       throws CompilationException, IOException, InterruptedException {
     Path repository = Files.createDirectories(cache.resolve("repository"));
     Path working = Files.createTempDirectory(compilation.scratch(), "maven-");
@@ -111,6 +187,7 @@ final class MavenPackages {
           <groupId>sitaf</groupId>
           <artifactId>component</artifactId>
           <version>1</version>
+          <dependencyManagement><dependencies>%s</dependencies></dependencyManagement>
           <dependencies>
             <dependency>
               <groupId>%s</groupId>
@@ -120,7 +197,8 @@ final class MavenPackages {
           </dependencies>
         </project>
         """
-            .formatted(coordinates.group(1), coordinates.group(2), coordinates.group(3)),
+            .formatted(
+                managed(lock), coordinates.group(1), coordinates.group(2), coordinates.group(3)),
         StandardCharsets.UTF_8);
     Path settings = working.resolve("settings.xml");
     Files.writeString(settings, settings(configuration()), StandardCharsets.UTF_8);
@@ -136,6 +214,7 @@ final class MavenPackages {
             "--update-snapshots",
             "-Dmaven.repo.local=" + repository,
             "-DincludeScope=runtime",
+            "-Dmdep.useRepositoryLayout=true",
             "-DoutputDirectory=" + jars,
             PLUGIN);
     ToolResult end;
@@ -157,6 +236,7 @@ final class MavenPackages {
     if (end.code() != 0) {
       throw failure(coordinates.group() + ": " + errorOf(end, compilation));
     }
+    verify(lock, jars);
     Files.createDirectories(folder.getParent());
     try {
       Files.move(jars, folder, StandardCopyOption.ATOMIC_MOVE);

@@ -22,6 +22,8 @@ import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.core.activity.lock.ActivityLock;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.digest.Sha256;
 
 /**
@@ -35,7 +37,13 @@ final class Environments {
       List.of("grpcio==1.85.1", "protobuf==7.36.2", "coverage==7.17.3");
 
   /** Increased when environments are created differently. */
-  private static final String LAYOUT = "2";
+  private static final String LAYOUT = "3";
+
+  /** Increased when the packages of every environment are downloaded differently. */
+  private static final String WHEELS = "2";
+
+  /** Folder of the environment in an entry of the cache, next to the list of its packages. */
+  private static final String ENVIRONMENT = "environment";
 
   private static final int MAX_FILES = 300_000;
 
@@ -94,10 +102,14 @@ final class Environments {
           .append(' ')
           .append(Sha256.hex(Files.readAllBytes(wheel)));
     }
+    ActivityLock releases = requirements.lock();
+    if (releases != null) {
+      held.append('\n').append(releases.text());
+    }
     String key = Sha256.hex(held.toString().getBytes(StandardCharsets.UTF_8));
     String name = key.substring(0, 24);
     if (Files.isDirectory(cache.entry(name))) {
-      return cache.entry(name);
+      return cache.entry(name).resolve(ENVIRONMENT);
     }
     Lock lock = locks.computeIfAbsent(name, unused -> new ReentrantLock());
     lock.lockInterruptibly();
@@ -107,22 +119,31 @@ final class Environments {
             new PackageTools(
                 interpreter, settings, scratch, atMost, Instant.now().plus(atMost), sandbox);
         try (SharedCache.Draft draft = cache.draft()) {
-          Path fresh = draft.folder();
+          Files.setPosixFilePermissions(
+              draft.folder(), PosixFilePermissions.fromString("rwxr-xr-x"));
+          Path fresh = Files.createDirectory(draft.folder().resolve(ENVIRONMENT));
           // Tests run as other users than the one that creates the environment.
           Files.setPosixFilePermissions(fresh, PosixFilePermissions.fromString("rwxr-xr-x"));
-          create(fresh, requirements, tools);
+          List<ResolvedPackage> packages = create(fresh, requirements, tools);
           takeOwnership(fresh, requirements);
+          EnvironmentPackages.write(draft.folder(), packages);
           draft.addAs(name);
         }
       }
-      return cache.entry(name);
+      return cache.entry(name).resolve(ENVIRONMENT);
     } finally {
       lock.unlock();
       locks.remove(name);
     }
   }
 
-  private void create(Path fresh, Requirements requirements, PackageTools tools)
+  /** The packages of the component in an environment, in ascending order. */
+  List<ResolvedPackage> packages(Path environment) throws IOException {
+    return EnvironmentPackages.read(environment.getParent());
+  }
+
+  /** Creates an environment and returns the packages of the component. */
+  private List<ResolvedPackage> create(Path fresh, Requirements requirements, PackageTools tools)
       throws CompilationException, IOException, InterruptedException {
     ToolResult made = tools.venv(fresh);
     if (made.code() != 0) {
@@ -131,17 +152,31 @@ final class Environments {
     addRuntime(fresh, tools);
     Path known = baseWheels(fresh, tools);
     List<Path> wheels;
+    List<ResolvedPackage> packages = List.of();
     try {
       // One request, because the component's packages must be compatible with those of the runtime.
       List<String> lines = new ArrayList<>(BASE);
       lines.addAll(requirements.lines());
-      WheelCollection collection = new WheelCollection(tools, fresh, lines);
+      WheelCollection collection = new WheelCollection(tools, fresh, lines, requirements.lock());
       for (Path wheel : requirements.wheels()) {
         collection.add(wheel);
       }
-      wheels = requirements.isEmpty() ? LocalWheel.wheelsIn(known) : collection.collect(known);
+      if (requirements.isEmpty()) {
+        wheels = LocalWheel.wheelsIn(known);
+      } else {
+        wheels = collection.collect(known);
+        packages =
+            collection.resolved(wheels).stream().filter(Environments::isOfComponent).toList();
+      }
     } catch (WheelCollection.PackageException e) {
       throw failure(requirements, String.valueOf(e.getMessage()));
+    }
+    ActivityLock lock = requirements.lock();
+    String mismatch = lock == null ? null : lock.mismatch(packages).orElse(null);
+    if (mismatch != null) {
+      throw new CompilationException(
+          "the component's packages are not those of " + ActivityLock.FILE,
+          List.of(SourceDiagnostic.ofFile("activity/" + ActivityLock.FILE, mismatch)));
     }
     ToolResult installed = SourceBuild.install(tools, fresh, wheels);
     if (installed.code() != 0) {
@@ -151,6 +186,12 @@ final class Environments {
       }
       throw failure(requirements, reason);
     }
+    return packages;
+  }
+
+  /** Not one of the runtime's packages, whose releases belong to the release of the agent. */
+  private static boolean isOfComponent(ResolvedPackage resolved) {
+    return BASE.stream().noneMatch(line -> line.startsWith(resolved.name() + "=="));
   }
 
   private static CompilationException failure(Requirements requirements, String reason) {
@@ -177,12 +218,12 @@ final class Environments {
   private Path baseWheels(Path fresh, PackageTools tools) throws IOException, InterruptedException {
     String name =
         "wheels-"
-            + Sha256.hex((LAYOUT + interpreter + BASE).getBytes(StandardCharsets.UTF_8))
+            + Sha256.hex((WHEELS + interpreter + BASE).getBytes(StandardCharsets.UTF_8))
                 .substring(0, 24);
     Path known = cache.entry(name);
     if (!Files.isDirectory(known)) {
       Path folder = tools.folder();
-      ToolResult fetched = new WheelCollection(tools, fresh, BASE).fetch(folder);
+      ToolResult fetched = new WheelCollection(tools, fresh, BASE, null).fetch(folder);
       if (fetched.code() != 0) {
         throw new IOException(
             "pip cannot download what test applications need: " + tools.errorOf(fetched));

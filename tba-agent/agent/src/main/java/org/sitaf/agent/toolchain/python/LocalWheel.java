@@ -18,10 +18,11 @@ import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
 /**
  * A wheel that does not come from the package index: part of the activity, or built here.
  *
+ * @param origin the wheel itself, or the source archive that it was built from
  * @param name normalized name
  * @param requires requirement lines that name packages of the index
  */
-record LocalWheel(Path file, String name, String version, List<String> requires) {
+record LocalWheel(Path file, Path origin, String name, String version, List<String> requires) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,99}");
   private static final Pattern VERSION = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._+!]{0,99}");
   private static final Pattern FILE =
@@ -67,7 +68,12 @@ record LocalWheel(Path file, String name, String version, List<String> requires)
     if (requires.size() > MAX_REQUIRED) {
       throw new PackageException(title + " requires more than " + MAX_REQUIRED + " packages");
     }
-    return new LocalWheel(file, WheelCollection.normalized(name), version, requires);
+    return new LocalWheel(file, file, WheelCollection.normalized(name), version, requires);
+  }
+
+  /** A copy that was built from a source archive. */
+  LocalWheel builtFrom(Path archive) {
+    return new LocalWheel(file, archive, name, version, requires);
   }
 
   /** Converts a requirement to a line for pip; empty for a requirement of an extra. */

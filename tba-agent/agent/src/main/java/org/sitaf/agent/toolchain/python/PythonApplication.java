@@ -16,6 +16,7 @@ import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 import org.sitaf.agent.toolchain.debug.DebugPlace;
 import org.sitaf.agent.toolchain.debug.Debuggee;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.verdict.Coverage;
 
 /**
@@ -25,6 +26,7 @@ import org.sitaf.core.verdict.Coverage;
  * @param path folders of modules
  * @param entryPoint the module of the concrete test driver
  * @param prefixes folders of Python's own library
+ * @param packages those of the environment
  * @param recording null if coverage is off
  */
 record PythonApplication(
@@ -32,6 +34,7 @@ record PythonApplication(
     List<Path> path,
     String entryPoint,
     List<Path> prefixes,
+    List<ResolvedPackage> packages,
     @Nullable PythonCoverage recording)
     implements CompiledApplication {
 
@@ -43,6 +46,7 @@ record PythonApplication(
 
   PythonApplication {
     path = List.copyOf(path);
+    packages = List.copyOf(packages);
     prefixes = List.copyOf(prefixes);
   }
 

@@ -27,6 +27,7 @@ import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.lock.ActivityLock;
 import org.sitaf.core.activity.ros.RosNode;
 
 /**
@@ -173,6 +174,7 @@ public final class PythonToolchain implements Toolchain {
         path,
         compilation.application().entryPoint(),
         interpreter.prefixes(),
+        environments.packages(environment),
         coverage(compilation, roots, environment));
   }
 
@@ -198,7 +200,10 @@ public final class PythonToolchain implements Toolchain {
   private Path environment(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
     return environments.with(
-        Requirements.of(compilation.application().activity().profile(), compilation.activity()),
+        Requirements.of(
+            compilation.application().activity().profile(),
+            ActivityLock.of(compilation.application().activity().files()).orElse(null),
+            compilation.activity()),
         compilation.scratch(),
         compilation.application().activity().profile().limits().preparation(),
         compilation.sandbox());

@@ -13,6 +13,7 @@ import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.lock.ActivityLock;
 
 /**
  * The packages that a component needs.
@@ -20,8 +21,10 @@ import org.sitaf.core.activity.ActivityProfile.Component;
  * @param lines package requirements; empty for none
  * @param file path of the requirements file in the layout of the application
  * @param wheels packages that are part of the activity
+ * @param lock their exact releases; null if the newest suitable ones are used
  */
-record Requirements(List<String> lines, String file, List<Path> wheels) {
+record Requirements(
+    List<String> lines, String file, List<Path> wheels, @Nullable ActivityLock lock) {
   private static final String PROFILE = "activity/activity.yaml";
   private static final int MAX_LINE = 300;
   private static final int MAX_LINES = 200;
@@ -54,7 +57,7 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
   }
 
   /** An environment without packages of a component. */
-  static final Requirements NONE = new Requirements(List.of(), PROFILE, List.of());
+  static final Requirements NONE = new Requirements(List.of(), PROFILE, List.of(), null);
 
   boolean isEmpty() {
     return lines.isEmpty() && wheels.isEmpty();
@@ -73,7 +76,7 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
   }
 
   /** The package of the profile, and the lines of {@code requirements.txt} next to the sources. */
-  static Requirements of(ActivityProfile profile, Path activity)
+  static Requirements of(ActivityProfile profile, @Nullable ActivityLock lock, Path activity)
       throws CompilationException, IOException {
     Component component = profile.component();
     List<String> lines = new ArrayList<>();
@@ -115,7 +118,7 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
             .filter(Requirements::isWheel)
             .map(library -> activity.resolve(library).normalize())
             .toList();
-    return new Requirements(lines, file, wheels);
+    return new Requirements(lines, file, wheels, lines.isEmpty() && wheels.isEmpty() ? null : lock);
   }
 
   private static List<String> read(Path list, String file)

@@ -88,7 +88,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
               + " "
               + wheel.version());
     }
-    return Optional.of(wheel);
+    return Optional.of(wheel.builtFrom(archive));
   }
 
   /** Creates an environment with the build requirements. */

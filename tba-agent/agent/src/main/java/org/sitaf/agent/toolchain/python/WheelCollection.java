@@ -9,7 +9,10 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.ToolResult;
+import org.sitaf.core.activity.lock.ActivityLock;
+import org.sitaf.core.activity.lock.ResolvedPackage;
 
 /**
  * Collects all wheels of an environment. pip downloads wheels from the index, which executes no
@@ -35,6 +38,7 @@ final class WheelCollection {
   private final PackageTools tools;
   private final Path environment;
   private final List<String> lines = new ArrayList<>();
+  private final @Nullable ActivityLock lock;
   private final List<LocalWheel> local = new ArrayList<>();
 
   /**
@@ -42,11 +46,14 @@ final class WheelCollection {
    *
    * @param environment an environment without packages, whose pip downloads
    * @param lines packages of the index
+   * @param lock their exact releases; null if pip chooses them
    */
-  WheelCollection(PackageTools tools, Path environment, List<String> lines) {
+  WheelCollection(
+      PackageTools tools, Path environment, List<String> lines, @Nullable ActivityLock lock) {
     this.tools = tools;
     this.environment = environment;
     this.lines.addAll(lines);
+    this.lock = lock;
   }
 
   /** An error of the user's files, or a package that is not in the index. */
@@ -100,7 +107,7 @@ final class WheelCollection {
     }
   }
 
-  private static @org.jspecify.annotations.Nullable Matcher missing(ToolResult fetched) {
+  private static @Nullable Matcher missing(ToolResult fetched) {
     for (String line : fetched.errors().lines().toList()) {
       Matcher missing = MISSING.matcher(line.strip());
       if (missing.matches()) {
@@ -114,7 +121,7 @@ final class WheelCollection {
   private List<Path> fetchBuildTools(List<String> wanted)
       throws IOException, InterruptedException, PackageException {
     Path folder = tools.folder();
-    ToolResult fetched = fetchAlone(folder, wanted, List.of());
+    ToolResult fetched = fetchAlone(folder, wanted, List.of(), List.of());
     if (fetched.code() != 0) {
       throw new PackageException("build requirements: " + tools.errorOf(fetched));
     }
@@ -127,12 +134,25 @@ final class WheelCollection {
     for (LocalWheel wheel : local) {
       wheel.writeStub(stubs);
     }
-    return fetchAlone(folder, wanted, List.of(known, stubs));
+    return fetchAlone(folder, wanted, constraints(), List.of(known, stubs));
   }
 
-  private ToolResult fetchAlone(Path folder, List<String> wanted, List<Path> links)
+  /** The releases that pip may choose, one line each. */
+  private List<String> constraints() {
+    return lock == null
+        ? List.of()
+        : lock.packages().stream()
+            .filter(each -> !each.isMaven())
+            .map(each -> each.name() + "==" + each.version())
+            .toList();
+  }
+
+  private ToolResult fetchAlone(
+      Path folder, List<String> wanted, List<String> constraints, List<Path> links)
       throws IOException, InterruptedException {
-    for (String line : wanted) {
+    List<String> given = new ArrayList<>(wanted);
+    given.addAll(constraints);
+    for (String line : given) {
       // Lines are checked when they are added; nothing else may reach pip.
       if (!Requirements.isPackage(line)) {
         throw new IllegalArgumentException("'" + line + "' is not a package");
@@ -152,6 +172,12 @@ final class WheelCollection {
                 "--requirement",
                 list.toString()));
     List<Path> readable = new ArrayList<>(List.of(list));
+    if (!constraints.isEmpty()) {
+      Path releases = tools.folder().resolve("constraints.txt");
+      Files.writeString(releases, String.join("\n", constraints) + "\n");
+      arguments.addAll(List.of("--constraint", releases.toString()));
+      readable.add(releases);
+    }
     for (Path link : links) {
       arguments.addAll(List.of("--find-links", link.toString()));
       readable.add(link);
@@ -161,7 +187,7 @@ final class WheelCollection {
 
   /** Downloads packages that have wheels into a folder; returns pip's result. */
   ToolResult fetch(Path folder) throws IOException, InterruptedException {
-    return fetchAlone(folder, lines, List.of());
+    return fetchAlone(folder, lines, List.of(), List.of());
   }
 
   private List<Path> all(Path folder) throws IOException, PackageException {
@@ -186,6 +212,28 @@ final class WheelCollection {
   /** The wheels that a download has created. */
   static List<Path> wheels(Path folder) throws IOException {
     return LocalWheel.wheelsIn(folder.resolve("wheels"));
+  }
+
+  /**
+   * The name, release and digest of each wheel of a complete collection. One that was built here
+   * counts as its source archive, since a build never gives the same bytes again.
+   */
+  List<ResolvedPackage> resolved(List<Path> collected) throws IOException {
+    List<ResolvedPackage> resolved = new ArrayList<>();
+    for (Path wheel : collected) {
+      LocalWheel own =
+          local.stream().filter(each -> each.file().equals(wheel)).findFirst().orElse(null);
+      String file = wheel.getFileName().toString();
+      resolved.add(
+          own == null
+              ? new ResolvedPackage(
+                  normalized(nameOf(wheel)),
+                  file.split("-", 3)[1],
+                  EnvironmentPackages.digest(wheel))
+              : new ResolvedPackage(
+                  own.name(), own.version(), EnvironmentPackages.digest(own.origin())));
+    }
+    return resolved;
   }
 
   private static String nameOf(Path wheel) {

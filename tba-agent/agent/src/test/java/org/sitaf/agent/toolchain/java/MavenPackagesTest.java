@@ -72,7 +72,7 @@ class MavenPackagesTest {
 
   @Test
   void usesOnlyTheJarsOfAPackage() throws Exception {
-    Path folder = Files.createDirectories(directory.resolve("packages/a!b!1"));
+    Path folder = Files.createDirectories(directory.resolve("resolved/a!b!1/a/b/1"));
     Files.createSymbolicLink(folder.resolve("link.jar"), Path.of("/etc/passwd"));
     Files.createDirectory(folder.resolve("folder.jar"));
     Files.writeString(folder.resolve("text.txt"), "");
@@ -87,6 +87,7 @@ class MavenPackagesTest {
             false,
             Sandbox.none());
 
-    assertThat(new MavenPackages(directory).jars("a:b:1", compilation)).containsExactly(jar);
+    assertThat(new MavenPackages(directory).jars("a:b:1", compilation))
+        .containsExactly(new MavenPackages.Jar(jar, "a:b", "1"));
   }
 }

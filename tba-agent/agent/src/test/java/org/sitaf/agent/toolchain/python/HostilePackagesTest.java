@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -20,7 +19,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.SandboxMode;
-import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.CompilationException;
 
 /** Code of packages runs without network and can write only its output. */
@@ -38,17 +36,7 @@ class HostilePackagesTest {
     sandbox = SandboxMode.AUTO.open();
     assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped: bubblewrap is not available");
     index = new LocalIndex();
-    Path runtime = EchoActivity.places().runtimes().resolve("runtime-python");
-    Path shared = EchoActivity.places().cache().resolve("python");
-    Interpreter interpreter = Interpreter.find().orElseThrow();
-    new Environments(interpreter, runtime, shared, PipSettings.ofThisMachine())
-        .with(Requirements.NONE, Files.createTempDirectory(directory, "base"), LIMIT, sandbox);
-    Path cache = Files.createDirectories(directory.resolve("cache"));
-    copyBaseWheels(shared, cache);
-    Map<String, String> variables = new HashMap<>(System.getenv());
-    variables.put("PIP_EXTRA_INDEX_URL", index.url());
-    environments =
-        new Environments(interpreter, runtime, cache, PipSettings.of(variables, directory));
+    environments = index.environments(directory, sandbox);
   }
 
   @AfterEach
@@ -56,23 +44,9 @@ class HostilePackagesTest {
     index.close();
   }
 
-  private static void copyBaseWheels(Path from, Path to) throws IOException {
-    try (Stream<Path> entries = Files.list(from)) {
-      for (Path entry :
-          entries.filter(e -> e.getFileName().toString().startsWith("wheels-")).toList()) {
-        Path copy = Files.createDirectories(to.resolve(entry.getFileName().toString()));
-        try (Stream<Path> wheels = Files.list(entry)) {
-          for (Path wheel : wheels.toList()) {
-            Files.copy(wheel, copy.resolve(wheel.getFileName().toString()));
-          }
-        }
-      }
-    }
-  }
-
   private Path make(List<String> lines, Path... wheels) throws Exception {
     return environments.with(
-        new Requirements(lines, "activity/component/requirements.txt", List.of(wheels)),
+        new Requirements(lines, "activity/component/requirements.txt", List.of(wheels), null),
         Files.createTempDirectory(directory, "scratch"),
         LIMIT,
         sandbox);
@@ -112,7 +86,7 @@ class HostilePackagesTest {
             observed.append(open(%r).read())
         except OSError:
             observed.append("not read")
-        for site in glob.glob(%r + "/*/lib/python*/site-packages") + [p for p in sys.path if "site-packages" in p]:
+        for site in glob.glob(%r + "/*/environment/lib/python*/site-packages") + [p for p in sys.path if "site-packages" in p]:
             try:
                 os.rename(os.path.join(site, "sitaf_runtime"), os.path.join(site, "gone"))
                 os.symlink(%r, os.path.join(site, "sitaf_runtime"))

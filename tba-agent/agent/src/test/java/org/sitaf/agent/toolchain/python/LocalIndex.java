@@ -7,14 +7,21 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.time.Duration;
+import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.testing.EchoActivity;
 
 /** A package index on this machine. */
 final class LocalIndex implements AutoCloseable {
@@ -26,6 +33,38 @@ final class LocalIndex implements AutoCloseable {
     server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
     server.createContext("/", this::answer);
     server.start();
+  }
+
+  /** Environments with an empty cache, whose pip uses this index in addition to its own. */
+  Environments environments(Path directory, Sandbox sandbox) throws Exception {
+    Path runtime = EchoActivity.places().runtimes().resolve("runtime-python");
+    Path shared = EchoActivity.places().cache().resolve("python");
+    Interpreter interpreter = Interpreter.find().orElseThrow();
+    new Environments(interpreter, runtime, shared, PipSettings.ofThisMachine())
+        .with(
+            Requirements.NONE,
+            Files.createTempDirectory(directory, "base"),
+            Duration.ofMinutes(4),
+            sandbox);
+    Path cache = Files.createDirectories(directory.resolve("cache"));
+    copyBaseWheels(shared, cache);
+    Map<String, String> variables = new HashMap<>(System.getenv());
+    variables.put("PIP_EXTRA_INDEX_URL", url());
+    return new Environments(interpreter, runtime, cache, PipSettings.of(variables, directory));
+  }
+
+  private static void copyBaseWheels(Path from, Path to) throws IOException {
+    try (Stream<Path> entries = Files.list(from)) {
+      for (Path entry :
+          entries.filter(e -> e.getFileName().toString().startsWith("wheels-")).toList()) {
+        Path copy = Files.createDirectories(to.resolve(entry.getFileName().toString()));
+        try (Stream<Path> wheels = Files.list(entry)) {
+          for (Path wheel : wheels.toList()) {
+            Files.copy(wheel, copy.resolve(wheel.getFileName().toString()));
+          }
+        }
+      }
+    }
   }
 
   String url() {
@@ -93,12 +132,18 @@ final class LocalIndex implements AutoCloseable {
 
   /** A wheel with a module and what it requires. */
   static byte[] wheel(String name, String module, String... requires) throws IOException {
+    return release(name, "1.0", module, requires);
+  }
+
+  /** A wheel of another release. */
+  static byte[] release(String name, String version, String module, String... requires)
+      throws IOException {
     StringBuilder metadata = new StringBuilder("Metadata-Version: 2.1\nName: " + name);
-    metadata.append("\nVersion: 1.0\n");
+    metadata.append("\nVersion: ").append(version).append('\n');
     for (String required : requires) {
       metadata.append("Requires-Dist: ").append(required).append('\n');
     }
-    String info = name.replace('-', '_') + "-1.0.dist-info/";
+    String info = name.replace('-', '_') + "-" + version + ".dist-info/";
     String file = name.replace('-', '_') + ".py";
     return zip(
         Map.of(

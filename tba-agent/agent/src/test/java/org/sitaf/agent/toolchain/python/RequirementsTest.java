@@ -27,6 +27,7 @@ class RequirementsTest {
             .application()
             .activity()
             .profile(),
+        null,
         activity);
   }
 

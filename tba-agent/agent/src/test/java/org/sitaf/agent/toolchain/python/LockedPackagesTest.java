@@ -1,0 +1,109 @@
+package org.sitaf.agent.toolchain.python;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.core.activity.lock.ActivityLock;
+import org.sitaf.core.activity.lock.ResolvedPackage;
+import org.sitaf.core.digest.Sha256;
+
+/** Environments record their packages, and hold exactly those of a lock. */
+@Tag("slow")
+class LockedPackagesTest {
+  private static final String ROBOT = "sitaf-locked-robot";
+  private static final String ARM = "sitaf-locked-arm";
+
+  @TempDir private Path directory;
+  private LocalIndex index;
+  private Sandbox sandbox;
+  private Environments environments;
+
+  @BeforeEach
+  void start() throws Exception {
+    sandbox = SandboxMode.AUTO.open();
+    assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped: bubblewrap is not available");
+    index = new LocalIndex();
+    environments = index.environments(directory, sandbox);
+    index.add(ROBOT, "sitaf_locked_robot-1.0-py3-none-any.whl", LocalIndex.wheel(ROBOT, "", ARM));
+  }
+
+  @AfterEach
+  void stop() {
+    index.close();
+  }
+
+  private byte[] addArm(String version) throws Exception {
+    byte[] wheel = LocalIndex.release(ARM, version, "VERSION = '" + version + "'\n");
+    index.add(ARM, "sitaf_locked_arm-" + version + "-py3-none-any.whl", wheel);
+    return wheel;
+  }
+
+  private List<ResolvedPackage> packages(@Nullable ActivityLock lock) throws Exception {
+    Path environment =
+        environments.with(
+            new Requirements(
+                List.of(ROBOT), "activity/component/requirements.txt", List.of(), lock),
+            Files.createTempDirectory(directory, "scratch"),
+            Duration.ofMinutes(4),
+            sandbox);
+    return environments.packages(environment).stream()
+        .filter(each -> each.name().startsWith("sitaf-locked"))
+        .toList();
+  }
+
+  private ActivityLock resolved() throws Exception {
+    Path environment =
+        environments.with(
+            new Requirements(
+                List.of(ROBOT), "activity/component/requirements.txt", List.of(), null),
+            Files.createTempDirectory(directory, "scratch"),
+            Duration.ofMinutes(4),
+            sandbox);
+    return new ActivityLock(environments.packages(environment), true);
+  }
+
+  @Test
+  void aLockKeepsTheReleaseWhenANewerOneAppears() throws Exception {
+    byte[] first = addArm("1.0");
+    ActivityLock lock = resolved();
+    assertThat(lock.packages()).contains(new ResolvedPackage(ARM, "1.0", Sha256.hex(first)));
+    addArm("2.0");
+    environments = index.environments(Files.createDirectory(directory.resolve("later")), sandbox);
+
+    assertThat(packages(null)).extracting(ResolvedPackage::version).containsExactly("2.0", "1.0");
+    assertThat(packages(lock)).extracting(ResolvedPackage::version).containsExactly("1.0", "1.0");
+  }
+
+  @Test
+  void aReplacedFileIsAnErrorThatSaysWhatToDo() throws Exception {
+    addArm("1.0");
+    ActivityLock lock = resolved();
+    index.add(
+        ARM,
+        "sitaf_locked_arm-1.0-py3-none-any.whl",
+        LocalIndex.release(ARM, "1.0", "VERSION = 'other'\n"));
+
+    assertThatThrownBy(() -> packages(lock))
+        .isInstanceOfSatisfying(
+            CompilationException.class,
+            e -> {
+              assertThat(e.diagnostics().get(0).file()).isEqualTo("activity/activity.lock");
+              assertThat(e.diagnostics().get(0).message())
+                  .contains("sitaf-locked-arm 1.0", "was replaced", "--update");
+            });
+  }
+}
