@@ -5,9 +5,11 @@ import java.time.ZoneId;
 import java.util.Date;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.quartz.Calendar;
 import org.quartz.JobBuilder;
 import org.quartz.JobKey;
+import org.quartz.JobPersistenceException;
 import org.quartz.Scheduler;
 import org.quartz.SchedulerException;
 import org.quartz.Trigger;
@@ -109,7 +111,7 @@ class BuildScheduler {
   /** The next fire times, at most {@code count}. */
   List<Instant> next(String id, int count) {
     try {
-      Trigger trigger = quartz.getTrigger(new TriggerKey(id, GROUP));
+      Trigger trigger = trigger(id);
       if (trigger == null || trigger.getNextFireTime() == null) {
         return List.of();
       }
@@ -121,6 +123,19 @@ class BuildScheduler {
           .toList();
     } catch (SchedulerException e) {
       throw new IllegalStateException("Quartz cannot compute the fire times of schedule " + id, e);
+    }
+  }
+
+  /**
+   * The trigger of a schedule. Quartz reads it in two steps and throws if it fired for the last
+   * time and was removed in between; a second look then finds that there is none.
+   */
+  private @Nullable Trigger trigger(String id) throws SchedulerException {
+    TriggerKey key = new TriggerKey(id, GROUP);
+    try {
+      return quartz.getTrigger(key);
+    } catch (JobPersistenceException e) {
+      return quartz.getTrigger(key);
     }
   }
 

@@ -26,7 +26,11 @@ import org.springframework.test.context.TestPropertySource;
 
 /** Unauthenticated clients can use little memory and database space. */
 @DirtiesContext
-@TestPropertySource(properties = "sitaf.trusted-proxies=127.0.0.0/8,::1")
+@TestPropertySource(
+    properties = {
+      "sitaf.trusted-proxies=127.0.0.0/8,::1",
+      ServerTest.OWN_SCHEDULER + "hostile-enrolments"
+    })
 class HostileEnrolmentsTest extends ServerTest {
   private static final Metadata.Key<String> FORWARDED =
       Metadata.Key.of("x-forwarded-for", Metadata.ASCII_STRING_MARSHALLER);

@@ -31,6 +31,7 @@ import tools.jackson.databind.JsonNode;
 @TestPropertySource(
     properties = {
       "sitaf.trusted-proxies=127.0.0.0/8,::1",
+      ServerTest.OWN_SCHEDULER + "limits",
       "sitaf.limits.body-time=2s",
       "sitaf.limits.sign-in-body-time=2s",
       "sitaf.limits.quota=1MB",

@@ -9,14 +9,17 @@ import java.sql.Connection;
 import javax.sql.DataSource;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.sitaf.server.support.ServerTest;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.test.annotation.DirtiesContext;
 import org.springframework.test.context.DynamicPropertyRegistry;
 import org.springframework.test.context.DynamicPropertySource;
+import org.springframework.test.context.TestPropertySource;
 
 /** Builds with PostgreSQL. */
 @Tag("slow")
 @DirtiesContext
+@TestPropertySource(properties = ServerTest.OWN_SCHEDULER + "postgres")
 class BuildStoryOnPostgresTest extends BuildStory {
   /** Runs longer than the server, which is closed after the class; a shutdown hook stops it. */
   private static final EmbeddedPostgres POSTGRES = start();

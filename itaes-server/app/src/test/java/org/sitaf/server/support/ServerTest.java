@@ -37,6 +37,13 @@ public abstract class ServerTest {
   /** The launcher's enrolment token for agents. */
   public static final String ENROLMENT = "launcher-enrolment-of-the-tests-012345";
 
+  /**
+   * Names the scheduler of a server that does not share the others' properties. Quartz keeps data
+   * sources by this name in a static field, so a second server of the same name that is closed
+   * would leave the first one without a database.
+   */
+  public static final String OWN_SCHEDULER = "spring.quartz.scheduler-name=";
+
   private static final Path DATA = temporary();
 
   @LocalServerPort private int httpPort;
