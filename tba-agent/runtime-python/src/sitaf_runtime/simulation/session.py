@@ -39,7 +39,6 @@ _REJECTED = (
     grpc.StatusCode.RESOURCE_EXHAUSTED,
     grpc.StatusCode.FAILED_PRECONDITION,
 )
-_GONE = (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.NOT_FOUND)
 T = TypeVar("T")
 
 
@@ -362,7 +361,7 @@ class Simulation:
 
     def _failure(self, what: str, e: grpc.RpcError) -> SimulationError:
         failure = _failure(what, e)
-        if _status(e)[0] in _GONE:
+        if failure.lost:
             self._gone = failure
         return failure
 

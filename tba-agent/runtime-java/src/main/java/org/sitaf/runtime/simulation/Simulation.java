@@ -537,8 +537,8 @@ public final class Simulation implements AutoCloseable {
 
   /** Remembers a loss of the simulator, in case the component catches the exception. */
   private SimulationException rememberLoss(SimulationException failure, StatusRuntimeException e) {
-    Status.Code code = e.getStatus().getCode();
-    if (code == Status.Code.UNAVAILABLE || code == Status.Code.NOT_FOUND) {
+    // A component that interrupts its own thread cancels a call; the simulator is still there.
+    if (isLost(e.getStatus()) && !(e.getStatus().getCause() instanceof InterruptedException)) {
       loss = failure;
     }
     return failure;
