@@ -26,7 +26,7 @@ def outage(installed, tmp_path_factory):
 
 @pytest.mark.parametrize(
     ("program", "arguments"),
-    [("lease", ()), ("cluster", ("--kills", "3")), ("kill", ("--kills", "20"))],
+    [("lease", ()), ("cluster", ("--kills", "3")), ("kill", ("--kills", "20", "--within-s", "240"))],
     ids=["lease", "cluster", "kill"],
 )
 def test_no_result_is_lost_after_kills_and_pauses(installed, outage, program, arguments):
