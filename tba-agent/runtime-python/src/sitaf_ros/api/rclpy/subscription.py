@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from enum import Enum
-from typing import Any
+from typing import Any, TypedDict
 
 from sitaf_ros import graph
 from sitaf_ros.current import system
@@ -15,15 +15,23 @@ from .entity import QueueEntity
 from .qos import quality_of
 
 
-class MessageInfo:
-    """What comes with a message to a callback with two parameters; times are in ns."""
+class MessageInfo(TypedDict):
+    """What comes with a message to a callback with two parameters: a dictionary; times are in ns."""
 
-    def __init__(self, delivery: Delivery) -> None:
-        stamp = system().ros_time_ns() - (system().now_ns - delivery.time_ns)
-        self.source_timestamp = stamp
-        self.received_timestamp = stamp
-        self.publication_sequence_number = delivery.number
-        self.reception_sequence_number = delivery.number
+    source_timestamp: int
+    received_timestamp: int
+    publication_sequence_number: int
+    reception_sequence_number: int
+
+
+def _info(delivery: Delivery) -> MessageInfo:
+    stamp = system().ros_time_ns() - (system().now_ns - delivery.time_ns)
+    return MessageInfo(
+        source_timestamp=stamp,
+        received_timestamp=stamp,
+        publication_sequence_number=delivery.number,
+        reception_sequence_number=delivery.number,
+    )
 
 
 class Subscription(QueueEntity):
@@ -101,7 +109,7 @@ class Subscription(QueueEntity):
         value = serialize(delivery.message) if self.raw else delivery.message
         if self._callback_type is self.CallbackType.MessageOnly:
             return self._callback(value)
-        return self._callback(value, MessageInfo(delivery))
+        return self._callback(value, _info(delivery))
 
     def destroy(self) -> None:
         if not self.destroyed:
