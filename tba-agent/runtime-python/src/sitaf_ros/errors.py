@@ -19,3 +19,8 @@ class NodeError(Exception):
         super().__init__(f"{where}: {type(cause).__name__}" + (f": {text}" if text else ""))
         self.callback = where
         self.cause = cause
+
+
+def is_regular_end(e: BaseException) -> bool:
+    """Tell whether a spin ended because the node itself shut its context down."""
+    return type(e).__name__ in ("ExternalShutdownException", "ROSInterruptException")

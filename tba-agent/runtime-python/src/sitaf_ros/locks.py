@@ -10,6 +10,7 @@ import threading
 from typing import Any
 
 from sitaf_ros.current import CURRENT, is_simulated, node_threads
+from sitaf_ros.errors import is_regular_end
 from sitaf_ros.node_threads import CaseEnded, NodeThread, NodeThreads
 
 RealLock = _thread.allocate_lock
@@ -131,8 +132,13 @@ class Thread(RealThread, metaclass=_ThreadMeta):
             except (SystemExit, CaseEnded):
                 pass  # the regular ways to end a thread
             except BaseException as e:
-                if CURRENT.system is not None:
-                    CURRENT.system.failed(f"thread {self.name}", e)
+                if CURRENT.system is None:
+                    return
+                if is_regular_end(e):
+                    # ROS prints the exception, and the node goes on.
+                    CURRENT.system.unobserved.warn(f"thread {self.name} ended with {type(e).__name__} at the shutdown")
+                    return
+                CURRENT.system.failed(f"thread {self.name}", e)
 
         self._sitaf_begin(threads, run)
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from sitaf_ros.callback_names import callback_name
 from sitaf_ros.current import CURRENT, node_threads
+from sitaf_ros.errors import is_regular_end
 
 
 class _Awaited:
@@ -82,7 +83,7 @@ class Future:
         try:
             callback(self)
         except Exception as e:
-            if CURRENT.system is not None and not _is_regular_end(e):
+            if CURRENT.system is not None and not is_regular_end(e):
                 CURRENT.system.failed(f"callback {callback_name(callback)}", e)
             raise
 
@@ -146,7 +147,7 @@ class Task(Future):
         except StopIteration as e:
             self.set_result(e.value)
         except Exception as e:
-            if CURRENT.system is not None and not _is_regular_end(e):
+            if CURRENT.system is not None and not is_regular_end(e):
                 CURRENT.system.failed(f"callback {self.name}", e)
             self.set_exception(e)
         finally:
@@ -161,7 +162,3 @@ class Task(Future):
         """Tell whether a call would do something."""
         waits = self._awaited is not None and self._awaited._pending()
         return self._pending() and not self._executing and not waits
-
-
-def _is_regular_end(e: Exception) -> bool:
-    return type(e).__name__ in ("ExternalShutdownException", "ROSInterruptException")
