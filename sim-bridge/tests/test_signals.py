@@ -89,6 +89,27 @@ def test_the_last_sample_is_the_state_at_the_end(maze: World) -> None:
     assert simulation.signals(0).values[:, 0].tolist() == [0, 0.5]
 
 
+def test_the_ranges_of_a_scanner_are_sampled_by_index(maze: World) -> None:
+    names = ("lidar.ranges[180]", "lidar.ranges[0]", "lidar.ranges[90]")
+    sampled, single = recorded(maze, *names), Simulation(maze)
+    for simulation in (sampled, single):
+        simulation.prepare({}, 0)
+        simulation.write([FORWARD])
+    expected = []
+    for step in range(4):
+        if step:
+            single.step(1)
+        ranges = next(r for r in single.state.readings if r.device.name == "lidar").values
+        expected.append([ranges[180], ranges[0], ranges[90]])
+    sampled.step(3)
+
+    assert sampled.signals(0).values.tolist() == expected
+    assert sampled.digest() == single.digest()
+    for name in ("lidar.ranges[181]", "lidar.ranges", "lidar.ranges.0", "lidar.ranges[-1]"):
+        with pytest.raises(InvalidRequest, match="no signal"):
+            recorded(maze, name)
+
+
 def test_settling_is_sampled_on_demand(maze: World) -> None:
     observation = next(iter(maze.observations))
     settle = 4 * maze.timestep_ns

@@ -26,6 +26,7 @@ def verdicts(run):
         "wall-approach",
         "joint-pid",
         "touchless-approach",
+        "wall-distance",
         "sensor-dropout",
         "joint-settling",
         "joint-settling-cpp",
@@ -90,6 +91,33 @@ def test_a_base_that_touches_the_wall_violates_a_condition_over_time(sitaf, tmp_
     ]
     assert touched[0] == broken[1]
     assert len(list((tmp_path / "signals").iterdir())) == cases
+
+
+def test_a_base_that_comes_too_near_violates_a_condition_over_rays(sitaf, tmp_path):
+    run = sitaf(
+        "run", "examples/wall-distance-faulty", "--signals", tmp_path / "signals"
+    )
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "keeps the distance: broken at" in run.stdout
+    assert re.search(r"lidar\.ranges\[90\] is 0\.[0-9]+", run.stdout), run.stdout
+    assert "expected" not in run.stdout
+    _, passed = verdicts(run)
+    assert passed == 0
+    names = (tmp_path / "signals" / "1.csv").read_text().splitlines()[0].split(",")
+    # All rays, because a condition looks at the smallest.
+    assert sum(name.startswith("lidar.ranges[") for name in names) == 181
+
+
+def test_a_ray_that_does_not_exist_is_an_error_of_the_model(sitaf, tmp_path):
+    activity = shutil.copytree(
+        sitaf.root / "examples" / "wall-distance", tmp_path / "activity"
+    )
+    model = activity / "Approach.xml"
+    model.write_text(model.read_text().replace("lidar.ranges[90]", "lidar.ranges[181]"))
+    run = sitaf("run", activity)
+    assert run.returncode == 2, run.stdout + run.stderr
+    assert "lidar.ranges[181] does not exist" in run.stdout + run.stderr
+    assert "Approach.xml:37" in run.stdout + run.stderr
 
 
 def test_a_base_that_drives_without_readings_violates_a_condition(sitaf):

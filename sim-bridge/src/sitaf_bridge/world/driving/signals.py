@@ -137,12 +137,20 @@ def _numbers(world: World) -> dict[str, _Number]:
     """The signals that are read from devices: their fields, and the observations of them."""
     devices = [d for d in world.description.devices.values() if not KINDS[d.kind].image]
     found = {
-        f"{d.name}.{field}": _Number(d.name, i) for d in devices for i, field in enumerate(KINDS[d.kind].fields(d))
+        f"{d.name}.{_signal(field)}": _Number(d.name, i)
+        for d in devices
+        for i, field in enumerate(KINDS[d.kind].fields(d))
     }
     for name, observation in world.description.observations.items():
         if isinstance(observation.sight, DeviceNumber):
             found[name] = _Number(observation.sight.device, observation.sight.index)
     return found
+
+
+def _signal(field: str) -> str:
+    """The name of a field in formulas, which write the elements of lists with brackets."""
+    head, _, tail = field.rpartition(".")
+    return f"{head}[{tail}]" if tail.isdecimal() else field
 
 
 def _reading(position: int, index: int) -> Measure:

@@ -110,6 +110,7 @@ final class ScoredModel {
         TrajectoryConditions.compile(
             model,
             activity.world() == null ? List.of() : WorldSignals.of(activity.world()),
+            activity.world() == null ? Map.of() : WorldSignals.lists(activity.world()),
             activity.profile().limits().caseSimulation().toNanos() / 1e9,
             diagnostics);
     diagnostics.throwIfErrors();

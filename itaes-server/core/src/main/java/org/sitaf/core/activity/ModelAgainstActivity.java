@@ -311,6 +311,7 @@ final class ModelAgainstActivity {
       TrajectoryConditions.compile(
           model,
           Stream.concat(WorldSignals.of(world).stream(), messageSignals.stream()).toList(),
+          WorldSignals.lists(world),
           profile.limits().caseSimulation().toNanos() / 1e9,
           diagnostics);
     }

@@ -53,14 +53,15 @@ public record WorldDescription(
    * A virtual hardware device.
    *
    * @param rateHz how often it sends messages to a ROS 2 node, greater than 0
+   * @param rays number of rays of a laser scanner; 0 for other kinds
    */
-  public record Device(String name, String kind, double rateHz) {
+  public record Device(String name, String kind, double rateHz, int rays) {
     /** The rate of a device that names none. */
     public static final double DEFAULT_RATE_HZ = 10;
 
     /** A device with the default rate. */
     public Device(String name, String kind) {
-      this(name, kind, DEFAULT_RATE_HZ);
+      this(name, kind, DEFAULT_RATE_HZ, 0);
     }
 
     public Device {

@@ -16,6 +16,9 @@ import org.sitaf.core.document.YamlMapping;
 public final class WorldReader {
   private static final double MAX_RATE_HZ = 100_000;
 
+  /** The limit of the simulator. */
+  private static final int MAX_RAYS = 4096;
+
   /** Those after {@code start} describe the robot if {@code mjcf} is a URDF. */
   private static final Set<String> KEYS =
       Set.of(
@@ -73,7 +76,17 @@ public final class WorldReader {
       entry.problem("rate_hz", "must be greater than 0 and at most " + (int) MAX_RATE_HZ);
       rate = Device.DEFAULT_RATE_HZ;
     }
-    return new Device(name, entry.requiredText("kind"), rate);
+    String kind = entry.requiredText("kind");
+    return new Device(name, kind, rate, kind.equals(WorldSignals.SCANNER) ? rays(entry) : 0);
+  }
+
+  private static int rays(YamlMapping entry) {
+    double rays = entry.number("rays").orElse(0.0);
+    if (entry.has("rays") && !(rays >= 2 && rays <= MAX_RAYS && rays == Math.rint(rays))) {
+      entry.problem("rays", "must be a whole number from 2 to " + MAX_RAYS);
+      return 0;
+    }
+    return (int) rays;
   }
 
   private static WorldParameter parameter(String name, YamlMapping entry) {

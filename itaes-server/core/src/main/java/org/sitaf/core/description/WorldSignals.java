@@ -3,6 +3,9 @@ package org.sitaf.core.description;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -11,6 +14,16 @@ import java.util.stream.Stream;
  * actuator. The fields of readings and commands are those of the simulator's device kinds.
  */
 public final class WorldSignals {
+  /** The kind of laser scanners. */
+  static final String SCANNER = "laser_scan";
+
+  /** The distances that a laser scanner measures. */
+  private static final String RANGES = "ranges";
+
+  /** {@code DEVICE.FIELD}, also with an index, or in {@code min()} or {@code max()}. */
+  private static final Pattern FIELD =
+      Pattern.compile("(?:(?:min|max)\\()?([^.()\\[\\]]+)\\.([^.()\\[\\]]+).*");
+
   private static final List<String> ORIENTATION =
       List.of("orientation.x", "orientation.y", "orientation.z", "orientation.w");
 
@@ -48,6 +61,7 @@ public final class WorldSignals {
   private static final Map<String, String> UNITS =
       Map.ofEntries(
           Map.entry("range.range", "m"),
+          Map.entry("laser_scan.ranges", "m"),
           Map.entry("contact.force", "N"),
           Map.entry("differential_drive.linear", "m/s"),
           Map.entry("differential_drive.angular", "rad/s"),
@@ -79,10 +93,10 @@ public final class WorldSignals {
 
   /** The unit of a signal; empty if it has none or the world does not declare it. */
   public static String unit(WorldDescription world, String name) {
-    String[] parts = name.split("\\.", -1);
+    Matcher field = FIELD.matcher(name);
     return world.devices().stream()
-        .filter(device -> parts.length > 1 && device.name().equals(parts[0]))
-        .map(device -> UNITS.getOrDefault(device.kind() + "." + parts[1], ""))
+        .filter(device -> field.matches() && device.name().equals(field.group(1)))
+        .map(device -> UNITS.getOrDefault(device.kind() + "." + field.group(2), ""))
         .findFirst()
         .orElse("");
   }
@@ -95,6 +109,20 @@ public final class WorldSignals {
       commands(device.kind()).forEach(field -> names.add(device.name() + "." + field + ".command"));
     }
     return names;
+  }
+
+  /**
+   * The readings that are lists of numbers, with their sizes: {@code DEVICE.ranges} of laser
+   * scanners. A simulator samples their elements as {@code DEVICE.ranges[0]} and so on.
+   */
+  public static Map<String, Integer> lists(WorldDescription world) {
+    Map<String, Integer> sizes = new TreeMap<>();
+    for (WorldDescription.Device device : world.devices()) {
+      if (device.kind().equals(SCANNER) && device.rays() > 0) {
+        sizes.put(device.name() + "." + RANGES, device.rays());
+      }
+    }
+    return sizes;
   }
 
   private static List<String> vector(String name) {

@@ -163,15 +163,23 @@ final class DirectProgram {
     return nodes;
   }
 
-  /** The least or greatest of numbers that are written as arguments. */
+  /** The least or greatest of numbers that are written as arguments, or in a variable. */
   private static @Nullable Node extreme(String function, CelCall call) {
     CelExpr list = call.args().get(0);
     List<Node> elements =
         list.getKind() == CelExpr.ExprKind.Kind.LIST ? nodes(list.list().elements()) : null;
+    CelFunctionOverload overload = Library.ofNumbers(function);
+    if (list.getKind() == CelExpr.ExprKind.Kind.IDENT) {
+      String name = list.ident().name();
+      return values ->
+          values.get(name) instanceof List<?> given
+                  && given.stream().allMatch(Double.class::isInstance)
+              ? applied(overload, (Object) given)
+              : UNDECIDED;
+    }
     if (elements == null) {
       return null;
     }
-    CelFunctionOverload overload = Library.ofNumbers(function);
     Node[] arguments = elements.toArray(Node[]::new);
     return values -> {
       Object[] given = numbers(arguments, values);

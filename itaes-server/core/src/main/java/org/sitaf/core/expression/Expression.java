@@ -115,6 +115,15 @@ public final class Expression {
   }
 
   /**
+   * The elements of a list that the expression uses, if all their indices are constants.
+   *
+   * @return empty if the expression uses the list in another way, so that it may need all elements
+   */
+  public Optional<Set<Long>> indices(String list) {
+    return ListUse.indices(new Linker(source.scope()).link(source.withDefinitions(parsed)), list);
+  }
+
+  /**
    * A comparison.
    *
    * @param operator one of {@code < <= > >= == !=}
@@ -140,7 +149,20 @@ public final class Expression {
    * @param fixed values of all other variables
    */
   public RowExpression overRows(List<String> columns, Map<String, Object> fixed) {
-    return new RowExpression(this, columns, fixed);
+    return new RowExpression(this, columns, Map.of(), fixed);
+  }
+
+  /**
+   * Prepares many evaluations with rows of numbers, some of which are elements of lists.
+   *
+   * @param columns names of the variables in each row
+   * @param lists for each variable that is a list the columns of its elements; -1 for an element
+   *     that the expression does not use
+   * @param fixed values of all other variables
+   */
+  public RowExpression overRows(
+      List<String> columns, Map<String, List<Integer>> lists, Map<String, Object> fixed) {
+    return new RowExpression(this, columns, lists, fixed);
   }
 
   /**

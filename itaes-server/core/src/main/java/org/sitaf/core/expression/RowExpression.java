@@ -1,10 +1,12 @@
 package org.sitaf.core.expression;
 
 import dev.cel.runtime.CelVariableResolver;
+import java.util.AbstractList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.RandomAccess;
 
 /**
  * An expression for many evaluations, each with a row of numbers. Immutable, so several threads can
@@ -13,10 +15,16 @@ import java.util.Optional;
 public final class RowExpression {
   private final Expression expression;
   private final Map<String, Integer> columns = new HashMap<>();
+  private final Map<String, List<Integer>> lists;
   private final Map<String, Object> fixed;
 
-  RowExpression(Expression expression, List<String> columns, Map<String, Object> fixed) {
+  RowExpression(
+      Expression expression,
+      List<String> columns,
+      Map<String, List<Integer>> lists,
+      Map<String, Object> fixed) {
     this.expression = expression;
+    this.lists = Map.copyOf(lists);
     this.fixed = Map.copyOf(fixed);
     for (int i = 0; i < columns.size(); i++) {
       this.columns.put(columns.get(i), i);
@@ -70,7 +78,35 @@ public final class RowExpression {
   private CelVariableResolver resolver(double[] row) {
     return name -> {
       Integer column = columns.get(name);
-      return column == null ? Optional.ofNullable(fixed.get(name)) : Optional.of(row[column]);
+      if (column != null) {
+        return Optional.of(row[column]);
+      }
+      List<Integer> elements = lists.get(name);
+      return elements == null
+          ? Optional.ofNullable(fixed.get(name))
+          : Optional.of(new Elements(elements, row));
     };
+  }
+
+  /** The elements of a list in a row. */
+  private static final class Elements extends AbstractList<Double> implements RandomAccess {
+    private final List<Integer> columns;
+    private final double[] row;
+
+    Elements(List<Integer> columns, double[] row) {
+      this.columns = columns;
+      this.row = row;
+    }
+
+    @Override
+    public Double get(int index) {
+      int column = columns.get(index);
+      return column < 0 ? Double.NaN : row[column];
+    }
+
+    @Override
+    public int size() {
+      return columns.size();
+    }
   }
 }

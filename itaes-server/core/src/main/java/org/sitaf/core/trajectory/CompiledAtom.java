@@ -1,9 +1,13 @@
 package org.sitaf.core.trajectory;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.RowExpression;
@@ -12,31 +16,71 @@ import org.sitaf.core.expression.RowExpression;
 final class CompiledAtom {
   private final Expression expression;
   private final Optional<Expression.Comparison> comparison;
+  private final List<ListElements> lists;
+
+  /** The columns of a row: numbers, then the elements of lists. */
   private final List<String> signals;
 
+  /** The number of variables of the expression that are signals. */
+  private final int variables;
+
+  private final Map<String, List<Integer>> columnsOfLists = new HashMap<>();
+
   /**
-   * @param signals names of all signals and of the time
+   * @param signals names of all signals that are numbers, and of the time
+   * @param sizes of all signals that are lists, by name
+   * @throws IllegalArgumentException if it uses an element that a list does not have
    */
-  CompiledAtom(Expression expression, java.util.Set<String> signals) {
+  CompiledAtom(Expression expression, Set<String> signals, Map<String, Integer> sizes) {
     this.expression = expression;
     this.comparison = expression.comparison();
-    this.signals = expression.variables().stream().filter(signals::contains).sorted().toList();
+    List<String> used =
+        new ArrayList<>(
+            expression.variables().stream().filter(signals::contains).sorted().toList());
+    this.lists =
+        expression.variables().stream()
+            .filter(sizes::containsKey)
+            .sorted()
+            .map(list -> ListElements.of(expression, list, sizes.get(list)))
+            .toList();
+    this.variables = used.size() + lists.size();
+    for (ListElements list : lists) {
+      columnsOfLists.put(list.list(), list.columns(used.size()));
+      used.addAll(list.signals());
+    }
+    this.signals = List.copyOf(used);
   }
 
-  /** The signals that it uses, sorted. */
+  /** The signals that it uses. */
   List<String> signals() {
     return signals;
+  }
+
+  /** The lists whose elements it uses. */
+  List<ListElements> lists() {
+    return lists;
+  }
+
+  /** The signals that a plot or a message shows. */
+  List<String> plotted() {
+    Set<String> elements = new HashSet<>();
+    lists.stream().filter(ListElements::isWhole).forEach(l -> elements.addAll(l.signals()));
+    return Stream.concat(
+            signals.stream().filter(name -> !elements.contains(name)),
+            lists.stream().filter(ListElements::isWhole).flatMap(l -> l.plotted().stream()))
+        .toList();
   }
 
   /**
    * What is wrong with an atom that is no comparison and uses only signals; empty if nothing is.
    */
   String problem() {
-    if (comparison.isPresent() || signals.size() < expression.variables().size()) {
+    if (comparison.isPresent() || variables < expression.variables().size()) {
       return "";
     }
     try {
-      Object value = expression.overRows(signals, Map.of()).value(new double[signals.size()]);
+      Object value =
+          expression.overRows(signals, columnsOfLists, Map.of()).value(new double[signals.size()]);
       return value instanceof Boolean
           ? ""
           : "'" + expression.text() + "' is neither true nor false; compare it, such as == 0.0";
@@ -87,9 +131,9 @@ final class CompiledAtom {
     private double margin;
 
     Truth(Map<String, Object> inputs) {
-      whole = expression.overRows(signals, inputs);
-      left = comparison.map(c -> c.left().overRows(signals, inputs));
-      right = comparison.map(c -> c.right().overRows(signals, inputs));
+      whole = expression.overRows(signals, columnsOfLists, inputs);
+      left = comparison.map(c -> c.left().overRows(signals, columnsOfLists, inputs));
+      right = comparison.map(c -> c.right().overRows(signals, columnsOfLists, inputs));
     }
 
     void evaluate(double[] row) throws EvaluationException {

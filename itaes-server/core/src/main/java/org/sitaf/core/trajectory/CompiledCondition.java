@@ -48,6 +48,20 @@ final class CompiledCondition {
         .toList();
   }
 
+  /** The signals that a plot shows, without the time. */
+  List<String> plotted() {
+    return atoms.stream()
+        .flatMap(a -> a.plotted().stream())
+        .filter(name -> !name.equals(TIME))
+        .distinct()
+        .toList();
+  }
+
+  /** Adds the signals that only a plot shows to columns by name. */
+  void addPlotted(Map<String, double[]> columns, int count) {
+    atoms.forEach(a -> a.lists().forEach(list -> list.addExtremes(columns, count)));
+  }
+
   /** The memory for an evaluation. */
   long bytes(long samples) {
     return samples * BYTES_PER_NUMBER * (signals().size() + (long) ARRAYS_PER_ATOM * atoms.size());
@@ -61,7 +75,7 @@ final class CompiledCondition {
         condition.name(),
         after(begin, span.from(), trace),
         after(begin, span.to(), trace),
-        signals());
+        plotted());
   }
 
   private static long after(long begin, double seconds, Trace trace) {
@@ -98,7 +112,8 @@ final class CompiledCondition {
   private String violation(
       Trace trace, Map<String, double[]> columns, int sample, int decidingAtom) {
     TreeSet<String> shown =
-        new TreeSet<>(decidingAtom < 0 ? signals() : atoms.get(decidingAtom).signals());
+        new TreeSet<>(decidingAtom < 0 ? plotted() : atoms.get(decidingAtom).plotted());
+    addPlotted(columns, trace.count());
     String values =
         shown.stream()
             .limit(MAX_SHOWN)

@@ -36,6 +36,9 @@ public final class TrajectoryConditions {
 
   private static final DataType BOOLEAN = new DataType.Scalar(ScalarType.BOOLEAN);
 
+  private static final DataType LIST =
+      new DataType.Sequence(new DataType.Scalar(ScalarType.DOUBLE), 0);
+
   private static final ExpressionCompiler CONSTANTS = new ExpressionCompiler(List.of());
 
   private final List<CompiledCondition> conditions;
@@ -56,13 +59,31 @@ public final class TrajectoryConditions {
   }
 
   /**
-   * Compiles the conditions of a model. Invalid conditions are reported and omitted.
+   * Compiles the conditions of a model over signals that are numbers.
    *
    * @param signals names of all signals; a name that is two signals is listed twice
    * @param longestSeconds limit of the simulation time of a case
    */
   public static TrajectoryConditions compile(
       TestModel model, Collection<String> signals, double longestSeconds, Diagnostics diagnostics) {
+    return compile(model, signals, Map.of(), longestSeconds, diagnostics);
+  }
+
+  /**
+   * Compiles the conditions of a model. Invalid conditions are reported and omitted.
+   *
+   * @param signals names of all signals that are numbers; a name that is two signals is listed
+   *     twice
+   * @param lists sizes of all signals that are lists of numbers, by name; the elements of {@code
+   *     list} are the signals {@code list[0]} and so on
+   * @param longestSeconds limit of the simulation time of a case
+   */
+  public static TrajectoryConditions compile(
+      TestModel model,
+      Collection<String> signals,
+      Map<String, Integer> lists,
+      double longestSeconds,
+      Diagnostics diagnostics) {
     List<CompiledCondition> compiled = new ArrayList<>();
     if (model.trajectoryConditions().isEmpty()) {
       return new TrajectoryConditions(compiled);
@@ -75,7 +96,7 @@ public final class TrajectoryConditions {
           "has more than " + MAX_CONDITIONS + " conditions");
       return new TrajectoryConditions(compiled);
     }
-    Names names = Names.of(model, signals);
+    Names names = Names.of(model, signals, lists);
     ExpressionCompiler compiler =
         new ExpressionCompiler(
             Scope.of(names.types()).with(model.definitions(), model.constants()));
@@ -90,6 +111,23 @@ public final class TrajectoryConditions {
   /** The signals that the conditions use, sorted. */
   public List<String> signals() {
     return conditions.stream().flatMap(c -> c.signals().stream()).distinct().sorted().toList();
+  }
+
+  /**
+   * The signals that a plot shows, sorted: those that the conditions use, but of a list that a
+   * condition uses as a whole the smallest and the largest element.
+   */
+  public List<String> plotted() {
+    return conditions.stream().flatMap(c -> c.plotted().stream()).distinct().sorted().toList();
+  }
+
+  /** The signals that a plot shows. */
+  public Trace plotted(Trace trace) {
+    Map<String, double[]> columns = new HashMap<>(trace.byName());
+    conditions.forEach(c -> c.addPlotted(columns, trace.count()));
+    List<String> names = plotted();
+    return new Trace(
+        trace.firstNanos(), trace.stepNanos(), names, names.stream().map(columns::get).toList());
   }
 
   /** Whether a condition begins with the settling before the call. */
@@ -190,7 +228,7 @@ public final class TrajectoryConditions {
         Expression expression = compiler.compile(atom.text());
         problem = names.problem(expression);
         if (problem.isEmpty()) {
-          CompiledAtom compiled = new CompiledAtom(expression, names.signals());
+          CompiledAtom compiled = new CompiledAtom(expression, names.signals(), names.lists());
           problem = compiled.problem();
           atoms.add(compiled);
         }
@@ -225,11 +263,16 @@ public final class TrajectoryConditions {
    * The names that formulas can use.
    *
    * @param types of signals, inputs and their validity
-   * @param signals including the time
+   * @param signals that are numbers, including the time
+   * @param lists sizes of the signals that are lists
    * @param ambiguous names with two meanings
    */
-  private record Names(Map<String, DataType> types, Set<String> signals, Set<String> ambiguous) {
-    static Names of(TestModel model, Collection<String> signals) {
+  private record Names(
+      Map<String, DataType> types,
+      Set<String> signals,
+      Map<String, Integer> lists,
+      Set<String> ambiguous) {
+    static Names of(TestModel model, Collection<String> signals, Map<String, Integer> lists) {
       Map<String, DataType> types = new HashMap<>();
       Set<String> ambiguous = new TreeSet<>();
       List<String> names = model.inputs().stream().map(InputElement::name).toList();
@@ -252,7 +295,12 @@ public final class TrajectoryConditions {
         }
         all.add(signal);
       }
-      return new Names(types, all, ambiguous);
+      for (String list : lists.keySet()) {
+        if (types.put(list, LIST) != null) {
+          ambiguous.add(list);
+        }
+      }
+      return new Names(types, all, lists, ambiguous);
     }
 
     private static void putTimes(FaultName fault, Map<String, DataType> types) {
@@ -281,10 +329,14 @@ public final class TrajectoryConditions {
     }
 
     String known() {
-      String list = signals.stream().limit(MAX_LISTED).collect(Collectors.joining(", "));
-      int more = signals.size() - MAX_LISTED;
+      Set<String> all = new TreeSet<>(signals);
+      lists.forEach(
+          (list, size) -> all.add(list + "[0] to " + ListElements.element(list, size - 1)));
+      String list = all.stream().limit(MAX_LISTED).collect(Collectors.joining(", "));
+      int more = all.size() - MAX_LISTED;
       Set<String> inputs = new TreeSet<>(types.keySet());
       inputs.removeAll(signals);
+      inputs.removeAll(lists.keySet());
       inputs.removeIf(
           name -> name.equals(Variables.VALID) || name.startsWith(Variables.VALID_PREFIX));
       return "; signals: "

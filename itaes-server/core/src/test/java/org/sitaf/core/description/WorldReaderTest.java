@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,6 +30,24 @@ class WorldReaderTest {
     assertThat(world.parameters()).isNotEmpty();
     assertThat(world.devices()).isNotEmpty();
     assertThat(world.observations()).isNotEmpty();
+  }
+
+  @Test
+  void knowsTheRaysOfLaserScanners() throws IOException {
+    String file = "worlds/maze/maze.world.yaml";
+    String text = Files.readString(EXAMPLES.resolve(file));
+    WorldDescription world = WorldReader.read(text, file);
+
+    assertThat(WorldSignals.lists(world)).isEqualTo(Map.of("lidar.ranges", 181));
+    assertThat(WorldSignals.unit(world, "lidar.ranges[90]")).isEqualTo("m");
+    assertThat(WorldSignals.unit(world, "min(lidar.ranges)")).isEqualTo("m");
+    assertThat(WorldSignals.unit(world, "base.linear.command")).isEqualTo("m/s");
+    assertThat(WorldSignals.unit(world, "robot_x")).isEmpty();
+    for (String rays : new String[] {"1", "4097", "2.5", ".nan"}) {
+      assertThatThrownBy(() -> WorldReader.read(text.replace("rays: 181", "rays: " + rays), file))
+          .isInstanceOf(InvalidInputException.class)
+          .hasMessageContaining("must be a whole number from 2 to 4096");
+    }
   }
 
   @Test

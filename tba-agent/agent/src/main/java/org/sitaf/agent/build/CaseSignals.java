@@ -58,6 +58,7 @@ final class CaseSignals {
         TrajectoryConditions.compile(
             application.model(),
             sequence ? SequenceSignal.with(all) : all,
+            world == null ? Map.of() : WorldSignals.lists(world),
             limits.caseSimulation().toNanos() / 1e9,
             diagnostics);
     diagnostics.throwIfErrors();
@@ -73,13 +74,20 @@ final class CaseSignals {
                 world,
                 conditions,
                 listener);
-    Set<String> wanted = new TreeSet<>(this.reported ? all : conditions.signals());
+    // Elements of lists are sampled only for conditions, because a scan can have thousands.
+    Set<String> wanted = new TreeSet<>(conditions.signals());
+    if (this.reported) {
+      wanted.addAll(all);
+    }
     this.messages =
         sent.isEmpty()
             ? null
             : new MessageTraces(application.activity().recordedMessages(), wanted);
     // The simulator knows nothing of messages and steps.
-    wanted.retainAll(sampled);
+    wanted.removeAll(sent);
+    if (!sampled.contains(SequenceSpec.STEP)) {
+      wanted.remove(SequenceSpec.STEP);
+    }
     List<String> names = List.copyOf(wanted);
     // The time alone gives the number of samples.
     this.order = new SignalOrder(names.isEmpty() ? List.of("t") : names, conditions.needSettling());

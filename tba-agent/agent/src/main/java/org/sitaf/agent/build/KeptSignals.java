@@ -58,7 +58,7 @@ final class KeptSignals {
 
   /** A case has finished; its signals are kept if it is selected and the limits permit it. */
   synchronized void add(CaseResult result, Trace trace) {
-    List<String> names = conditions.signals();
+    List<String> names = conditions.plotted();
     if (names.isEmpty() || !selects(result)) {
       return;
     }
@@ -66,7 +66,7 @@ final class KeptSignals {
       tooMany = names.size();
       return;
     }
-    SignalExcerpt excerpt = excerpt(only(names, trace), result);
+    SignalExcerpt excerpt = excerpt(conditions.plotted(trace), result);
     if (kept.admit(excerpt.bytes())) {
       listener.signalsKept(result.no(), excerpt);
     }
@@ -75,12 +75,6 @@ final class KeptSignals {
   private boolean selects(CaseResult result) {
     return recorded != null && recorded.include(result.verdict())
         || result.trajectories().stream().anyMatch(t -> t.verdict() != Verdict.PASS);
-  }
-
-  private static Trace only(List<String> names, Trace trace) {
-    List<double[]> columns =
-        names.stream().map(name -> trace.columns().get(trace.names().indexOf(name))).toList();
-    return new Trace(trace.firstNanos(), trace.stepNanos(), names, columns);
   }
 
   private SignalExcerpt excerpt(Trace trace, CaseResult result) {

@@ -15,6 +15,7 @@ import org.sitaf.agent.build.RecordingOrder.Cases;
 import org.sitaf.agent.executor.OutputSink;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldDescription.Device;
+import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.trajectory.ConditionSpan;
@@ -40,28 +41,28 @@ class KeptSignalsTest {
 
   private KeptSignals keeping(@Nullable Cases recorded, int cases, long bytes) {
     return new KeptSignals(
-        new SignalLimits(cases, bytes),
-        recorded,
-        WORLD,
-        conditions(),
-        new BuildListener() {
-          @Override
-          public void stage(BuildStage stage) {}
+        new SignalLimits(cases, bytes), recorded, WORLD, conditions(), listener());
+  }
 
-          @Override
-          public void log(byte[] utf8) {}
+  private BuildListener listener() {
+    return new BuildListener() {
+      @Override
+      public void stage(BuildStage stage) {}
 
-          @Override
-          public void caseFinished(CaseResult result) {}
+      @Override
+      public void log(byte[] utf8) {}
 
-          @Override
-          public void recorded(int no, Path recording) {}
+      @Override
+      public void caseFinished(CaseResult result) {}
 
-          @Override
-          public void signalsKept(int no, SignalExcerpt signals) {
-            excerpts.put(no, signals);
-          }
-        });
+      @Override
+      public void recorded(int no, Path recording) {}
+
+      @Override
+      public void signalsKept(int no, SignalExcerpt signals) {
+        excerpts.put(no, signals);
+      }
+    };
   }
 
   private static TrajectoryConditions conditions() {
@@ -127,6 +128,52 @@ class KeptSignalsTest {
             new ConditionSpan("stops", 500_000_000, 1_000_000_000, List.of("base.linear")));
     assertThat(excerpts.keySet()).containsExactly(1);
     assertThat(report(signals)).containsExactly("signals: 1 cases, 0.0 MiB");
+  }
+
+  @Test
+  void keepsTheExtremesOfAListThatAConditionUsesAsAWhole() {
+    int rays = 300;
+    WorldDescription world =
+        new WorldDescription(
+            "w.world.yaml",
+            List.of(),
+            List.of(new Device("lidar", "laser_scan", Device.DEFAULT_RATE_HZ, rays)),
+            List.of());
+    String model =
+        """
+        <test_model><name>Model</name><description/><input_spec_list/>
+        <trajectory_condition_spec_list>
+        <trajectory_condition name="clear">always(min(lidar.ranges) > 0.5 || lidar.ranges[7] > 2.0)
+        </trajectory_condition></trajectory_condition_spec_list>
+        <order_of_combinations>1</order_of_combinations></test_model>
+        """;
+    TrajectoryConditions clear =
+        TrajectoryConditions.compile(
+            TestModelXml.read(
+                new ByteArrayInputStream(model.getBytes(StandardCharsets.UTF_8)), "Model.xml"),
+            List.of(),
+            WorldSignals.lists(world),
+            60,
+            new Diagnostics());
+    List<double[]> columns = new ArrayList<>();
+    for (int ray = 0; ray < rays; ray++) {
+      columns.add(new double[] {1 + ray, 0.4 + ray});
+    }
+    List<String> names =
+        java.util.stream.IntStream.range(0, rays).mapToObj(i -> "lidar.ranges[" + i + "]").toList();
+    new KeptSignals(new SignalLimits(10, 1 << 20), Cases.ALL, world, clear, listener())
+        .add(result(1, Verdict.FAIL), new Trace(0, STEP_NANOS, names, columns));
+
+    SignalExcerpt kept = excerpts.get(1);
+    assertThat(kept.signals())
+        .extracting(SignalExcerpt.Signal::name)
+        .containsExactly("lidar.ranges[7]", "max(lidar.ranges)", "min(lidar.ranges)");
+    assertThat(kept.signals()).extracting(SignalExcerpt.Signal::unit).containsOnly("m");
+    assertThat(kept.signals().get(1).values()).containsExactly(300, 299.4);
+    assertThat(kept.signals().get(2).values()).containsExactly(1, 0.4);
+    assertThat(kept.conditions().get(0).signals())
+        .containsExactlyInAnyOrderElementsOf(
+            kept.signals().stream().map(SignalExcerpt.Signal::name).toList());
   }
 
   @Test
