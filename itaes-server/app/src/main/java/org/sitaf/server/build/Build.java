@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.BuildSource;
 import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
@@ -64,6 +65,8 @@ public class Build {
   private @Nullable Instant notBefore;
   private String requirements;
   private @Nullable String parentId;
+  private @Nullable String commitId;
+  private @Nullable String buildLabels;
   private int shard;
   private int shards;
 
@@ -142,6 +145,12 @@ public class Build {
     move(BuildState.QUEUED, now, reservation == null ? "requested" : "scheduled time reached");
   }
 
+  /** Says which state of the sources it tests. */
+  void describe(BuildSource source) {
+    commitId = source.commit();
+    buildLabels = source.labelText();
+  }
+
   /** Creates a shard: a build that executes some of this build's cases. */
   Build addShard(String shardId, int no, FrozenApplication application, Instant now) {
     Build created = new Build();
@@ -154,6 +163,8 @@ public class Build {
     created.maxAttempts = maxAttempts;
     created.created = now;
     created.parentId = id;
+    created.commitId = commitId;
+    created.buildLabels = buildLabels;
     created.shard = no;
     created.freeze(application);
     created.recordedCases = recordedCases;
@@ -288,6 +299,11 @@ public class Build {
 
   public String model() {
     return model;
+  }
+
+  /** Which state of the sources it tests. */
+  public BuildSource source() {
+    return BuildSource.parse(commitId, buildLabels);
   }
 
   public String language() {

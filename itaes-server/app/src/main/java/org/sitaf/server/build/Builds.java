@@ -15,6 +15,7 @@ import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.activity.ActivityDeletion;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.BuildSource;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.error.RequestException;
@@ -74,9 +75,19 @@ public class Builds {
    * @throws InvalidInputException if the test application cannot be generated
    */
   public String request(String suiteId, BuildOptions options) {
+    return request(suiteId, options, BuildSource.UNKNOWN);
+  }
+
+  /**
+   * Requests a build of a known state of the sources.
+   *
+   * @return its id
+   * @throws InvalidInputException if the test application cannot be generated
+   */
+  public String request(String suiteId, BuildOptions options, BuildSource source) {
     TestApplication application = suites.application(suiteId);
     quotas.requireBuild(application.files());
-    return queue(suites.origin(suiteId), application, options, null);
+    return queue(suites.origin(suiteId), application, options, source, null);
   }
 
   /**
@@ -92,7 +103,7 @@ public class Builds {
     }
     SuiteOrigin origin = suites.origin(suiteId);
     try {
-      return queue(origin, suites.application(suiteId), options, reservation);
+      return queue(origin, suites.application(suiteId), options, BuildSource.UNKNOWN, reservation);
     } catch (InvalidInputException e) {
       return insertFailed(
           origin,
@@ -117,7 +128,8 @@ public class Builds {
       @Nullable String activityId,
       @Nullable BuildState state,
       @Nullable String scheduleId,
-      @Nullable String parentId) {}
+      @Nullable String parentId,
+      @Nullable String commit) {}
 
   /** Applies a function to a build within a transaction. */
   public <T> T inspect(String id, Function<Build, T> view) {
@@ -144,6 +156,9 @@ public class Builds {
                 filter.scheduleId() == null
                     ? is.conjunction()
                     : is.equal(build.get("scheduleId"), filter.scheduleId()),
+                filter.commit() == null
+                    ? is.conjunction()
+                    : is.equal(build.get("commitId"), filter.commit()),
                 filter.parentId() == null
                     ? is.isNull(build.get("parentId"))
                     : is.equal(build.get("parentId"), filter.parentId()));
@@ -191,12 +206,14 @@ public class Builds {
       SuiteOrigin origin,
       TestApplication application,
       BuildOptions options,
+      BuildSource source,
       @Nullable Reservation reservation) {
     Requirements requirements = Requirements.of(application, options.agent());
     List<StoredFile> files = contents.store(application.files());
     Build build =
         create(
             origin, FrozenApplication.of(application, requirements, files), options, reservation);
+    build.describe(source);
     List<Build> all = new ArrayList<>(List.of(build));
     List<TestApplication> shards = Shards.split(application, options.shards());
     for (int no = 1; no <= shards.size(); no++) {

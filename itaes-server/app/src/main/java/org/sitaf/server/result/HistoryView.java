@@ -14,7 +14,9 @@ record HistoryView(
     Instant received,
     @Nullable String agent,
     SummaryView summary,
-    @Schema(description = "whether the verdicts cannot be trusted") boolean suspect) {
+    @Schema(description = "whether the verdicts cannot be trusted") boolean suspect,
+    @Schema(description = "id of the tested commit; absent if it is not known")
+        @Nullable String commit) {
   static HistoryView of(Row row) {
     return new HistoryView(
         row.buildId(),
@@ -22,7 +24,8 @@ record HistoryView(
         row.received(),
         row.agent(),
         SummaryView.of(row.summary()),
-        row.suspect());
+        row.suspect(),
+        row.commit());
   }
 
   /** A row of the database. */
@@ -32,5 +35,6 @@ record HistoryView(
       Instant received,
       @Nullable String agent,
       Summary summary,
-      boolean suspect) {}
+      boolean suspect,
+      @Nullable String commit) {}
 }

@@ -147,7 +147,7 @@ class ResultRows {
             .single();
     List<HistoryView.Row> items =
         jdbc.sql(
-                "SELECT b.id, b.model, b.agent, r.received, r.overview, b.suspicions"
+                "SELECT b.id, b.model, b.agent, r.received, r.overview, b.suspicions, b.commit_id"
                     + from
                     + " ORDER BY r.received DESC, b.id LIMIT :size OFFSET :offset")
             .param("activity", activityId)
@@ -162,7 +162,8 @@ class ResultRows {
                         row.getObject(4, java.time.OffsetDateTime.class).toInstant(),
                         row.getString(3),
                         json.readValue(row.getString(5), Overview.class).summary(),
-                        row.getString(6) != null))
+                        row.getString(6) != null,
+                        row.getString(7)))
             .list();
     return new PageImpl<>(items, page, total);
   }

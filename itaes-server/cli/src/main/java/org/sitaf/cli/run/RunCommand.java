@@ -4,7 +4,6 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
-import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -98,19 +97,7 @@ public final class RunCommand implements Callable<Integer> {
               + " models as FOLDER/MODEL/NO.csv.")
   private @Nullable Path signals;
 
-  @Option(
-      names = "--server",
-      paramLabel = "URL",
-      description = {
-        "Runs on the agents of a server instead of this machine, and prints the build log.",
-        "SITAF_TOKEN holds an API token of the server. The activity and its results stay there."
-      })
-  private @Nullable URI server;
-
-  @Option(
-      names = "--plaintext",
-      description = "With --server: allows to send the token without TLS to another machine.")
-  private boolean plaintext;
+  @Mixin private final RemoteOptions remote = new RemoteOptions();
 
   @Option(names = "--table", description = "Prints all cases, not only those that did not pass.")
   private boolean table;
@@ -120,14 +107,15 @@ public final class RunCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     requireWritable();
-    debugging.check(spec, server != null, cases, sandbox.isRequired());
-    if (server != null && generation.changesModel()) {
+    remote.check(spec);
+    debugging.check(spec, remote.isRemote(), cases, sandbox.isRequired());
+    if (remote.isRemote() && generation.changesModel()) {
       throw new CommandLine.ParameterException(
           spec.commandLine(),
           "--strength, --max-cases and --effort are not available with --server; set"
               + " order_of_combinations and max_cases in the model");
     }
-    if (server != null && cases.areGiven()) {
+    if (remote.isRemote() && cases.areGiven()) {
       throw new CommandLine.ParameterException(
           spec.commandLine(),
           "--case, --failed, --repeat and --until-failure are not available with --server");
@@ -139,30 +127,24 @@ public final class RunCommand implements Callable<Integer> {
     // An interrupted run still writes the cases that ended.
     try (OnExit onExit = new OnExit(() -> {})) {
       int exitCode =
-          server == null
-              ? runHere(activity, results, out, err)
-              : runAt(server, files, activity, results, out, err);
+          remote.isRemote()
+              ? runRemotely(files, activity, results, out, err)
+              : runHere(activity, results, out, err);
       write(activity, results);
       return exitCode;
     }
   }
 
-  private int runAt(
-      URI address,
-      FileTree files,
-      Activity activity,
-      List<TestResult> results,
-      PrintWriter out,
-      PrintWriter err)
+  private int runRemotely(
+      FileTree files, Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
       throws IOException, InterruptedException {
     List<TestModel> models = arguments.modelsOf(activity);
     int exitCode = 0;
     try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt)) {
-      RemoteRun remote =
-          RemoteRun.upload(address, System.getenv("SITAF_TOKEN"), plaintext, files, System.err);
+      RemoteRun run = remote.upload(arguments.folder(), files, activity, System.err);
       for (TestModel model : models) {
         try {
-          TestResult result = remote.test(model.name(), generation.seed());
+          TestResult result = run.test(model.name(), generation.seed());
           print(result, out);
           results.add(result);
           exitCode = worse(exitCode, exitCode(result));

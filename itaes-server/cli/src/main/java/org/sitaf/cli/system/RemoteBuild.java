@@ -5,9 +5,11 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.terminal.Printable;
 import org.sitaf.cli.terminal.ProgressLine;
@@ -29,6 +31,7 @@ final class RemoteBuild {
   private @Nullable PrintStream log;
   private long logEnd;
   private String id = "";
+  private @Nullable JsonNode requested;
 
   RemoteBuild(ServerClient server, ProgressLine progress) {
     this.server = server;
@@ -53,18 +56,52 @@ final class RemoteBuild {
    * @throws InterruptedException if this thread is interrupted; the build is cancelled
    */
   byte[] build(String suiteId) throws IOException, InterruptedException {
-    JsonNode build = server.post("builds", Map.of("suiteId", suiteId));
-    id = build.path("id").asString();
+    request(suiteId, new RemoteRun.Source("", Map.of()));
+    return await();
+  }
+
+  /** Requests the build of a suite. */
+  void request(String suiteId, RemoteRun.Source source) throws IOException, InterruptedException {
+    Map<String, Object> request = new LinkedHashMap<>();
+    request.put("suiteId", suiteId);
+    if (!source.commit().isEmpty()) {
+      request.put("commit", source.commit());
+    }
+    if (!source.labels().isEmpty()) {
+      request.put("buildLabels", source.labels());
+    }
+    requested = server.post("builds", request);
+    id = requested.path("id").asString();
+  }
+
+  /** Cancels the requested build; one that has ended stays as it is. */
+  void cancel() throws IOException, InterruptedException {
     try {
-      return await(build);
+      server.post("builds/" + id + "/cancel", Map.of());
+    } catch (InvalidInputException e) {
+      if (!hasEnded(server.get("builds/" + id))) {
+        throw e;
+      }
+    }
+  }
+
+  /**
+   * Waits for the result document of the requested build.
+   *
+   * @throws InvalidInputException if the build has no result; contains the reason
+   * @throws InterruptedException if this thread is interrupted; the build is cancelled
+   */
+  byte[] await() throws IOException, InterruptedException {
+    try {
+      return await(Objects.requireNonNull(requested));
     } catch (InterruptedException e) {
       server.post("builds/" + id + "/cancel", Map.of());
       throw e;
     }
   }
 
-  private byte[] await(JsonNode requested) throws IOException, InterruptedException {
-    JsonNode build = requested;
+  private byte[] await(JsonNode first) throws IOException, InterruptedException {
+    JsonNode build = first;
     String path = "builds/" + id;
     String shown = "";
     while (!hasEnded(build)) {

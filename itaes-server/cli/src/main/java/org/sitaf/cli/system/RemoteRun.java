@@ -1,6 +1,5 @@
 package org.sitaf.cli.system;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.net.URI;
@@ -8,7 +7,6 @@ import java.util.Map;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.terminal.ProgressLine;
-import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.verdict.TestResult;
@@ -19,41 +17,68 @@ public final class RemoteRun {
   private static final String TOKEN = "SITAF_TOKEN";
   private static final Pattern LOOPBACK = Pattern.compile("localhost|127(\\.\\d+){3}|\\[::1]");
 
+  /** Others may change the activity while its suite is generated and its build is requested. */
+  private static final int MAX_ATTEMPTS = 5;
+
   private final URI address;
   private final ServerClient server;
-  private final String activityId;
+  private final RemoteActivity activity;
+  private final Source source;
   private final PrintStream err;
 
-  private RemoteRun(URI address, ServerClient server, String activityId, PrintStream err) {
+  private RemoteRun(
+      URI address, ServerClient server, RemoteActivity activity, Source source, PrintStream err) {
     this.address = address;
     this.server = server;
-    this.activityId = activityId;
+    this.activity = activity;
+    this.source = source;
     this.err = err;
   }
 
   /**
-   * Uploads an activity.
+   * Where an activity is tested.
    *
    * @param token API token of the server; null for none
    * @param plaintext whether the token may be sent without TLS to other machines
+   * @param activity id of the activity that is updated; null for the newest one of the same name
+   */
+  public record Target(
+      URI address, @Nullable String token, boolean plaintext, @Nullable String activity) {}
+
+  /**
+   * What is stored with the builds.
+   *
+   * @param commit empty if it is not known
+   * @param labels values by key
+   */
+  public record Source(String commit, Map<String, String> labels) {}
+
+  /**
+   * Uploads an activity.
+   *
+   * @param name of the activity
    * @param err for progress and build logs
    * @throws InvalidInputException if the server rejects the activity; contains the server's
    *     diagnostics
    */
   public static RemoteRun upload(
-      URI address, @Nullable String token, boolean plaintext, FileTree files, PrintStream err)
+      Target target, String name, FileTree files, Source source, PrintStream err)
       throws IOException, InterruptedException {
-    verify(address, plaintext);
+    URI address = target.address();
+    verify(address, target.plaintext());
+    String token = target.token();
     if (token == null || token.isBlank()) {
       throw InvalidInputException.of(
           TOKEN,
           "is not set; create a token in the portal of " + address + " and set the variable to it");
     }
     ServerClient server = new ServerClient(address, token.strip());
-    ByteArrayOutputStream zip = new ByteArrayOutputStream();
-    ActivityArchive.write(files, zip);
-    JsonNode activity = server.post("activities", "application/zip", zip.toByteArray());
-    return new RemoteRun(address, server, activity.path("id").asString(), err);
+    return new RemoteRun(
+        address,
+        server,
+        RemoteActivity.upload(server, target.activity(), name, files),
+        source,
+        err);
   }
 
   private static void verify(URI address, boolean plaintext) {
@@ -77,14 +102,35 @@ public final class RemoteRun {
    */
   public TestResult test(String model, long seed) throws IOException, InterruptedException {
     try (ProgressLine progress = new ProgressLine(err)) {
-      progress.step(model + ": generating test cases");
-      JsonNode suite =
-          server.post(
-              "activities/" + activityId + "/models/" + model + "/suites", Map.of("seed", seed));
       RemoteBuild build = new RemoteBuild(server, progress).followedBy(err);
-      byte[] document = build.build(suite.path("id").asString());
+      request(build, model, seed, progress);
+      byte[] document = build.await();
       progress.step(model + ": " + address.resolve("/builds/" + build.id()));
       return RemoteBuild.parse(document);
     }
+  }
+
+  /** Requests a build of the files of this machine, whatever others do with the activity. */
+  private void request(RemoteBuild build, String model, long seed, ProgressLine progress)
+      throws IOException, InterruptedException {
+    for (int attempt = 1; attempt <= MAX_ATTEMPTS; attempt++) {
+      progress.step(model + ": generating test cases");
+      JsonNode suite =
+          server.post(
+              "activities/" + activity.id() + "/models/" + model + "/suites", Map.of("seed", seed));
+      build.request(suite.path("id").asString(), source);
+      try {
+        if (activity.isUnchanged()) {
+          return;
+        }
+      } catch (InterruptedException e) {
+        build.cancel();
+        throw e;
+      }
+      build.cancel();
+    }
+    throw InvalidInputException.of(
+        "activity " + activity.id(),
+        "others update it at the same time; run again, or name another one with --activity");
   }
 }

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.diagnostic.Severity;
@@ -21,6 +22,7 @@ import tools.jackson.databind.json.JsonMapper;
 /** Client of a server's REST interface ({@code /api/v1}). */
 final class ServerClient {
   private static final Duration TIMEOUT = Duration.ofSeconds(60);
+  private static final int OUTDATED = 412;
   private static final String JSON = "application/json";
 
   private final HttpClient http =
@@ -58,6 +60,25 @@ final class ServerClient {
     return post(path, JSON, json.writeValueAsBytes(body));
   }
 
+  /**
+   * Replaces a resource and returns the response; null if it no longer has this version.
+   *
+   * @throws InvalidInputException if the server rejects it for another reason
+   */
+  @Nullable JsonNode put(String path, String contentType, byte[] body, long version)
+      throws IOException, InterruptedException {
+    HttpResponse<byte[]> response =
+        answer(
+            request(path)
+                .header("Content-Type", contentType)
+                .header("If-Match", "\"" + version + "\"")
+                .PUT(BodyPublishers.ofByteArray(body)));
+    if (response.statusCode() == OUTDATED) {
+      return null;
+    }
+    return parse(accepted(response));
+  }
+
   /** Gets JSON. */
   JsonNode get(String path) throws IOException, InterruptedException {
     return parse(send(request(path).header("Accept", JSON).GET()));
@@ -89,12 +110,19 @@ final class ServerClient {
 
   private HttpResponse<byte[]> send(HttpRequest.Builder request)
       throws IOException, InterruptedException {
-    HttpResponse<byte[]> response;
+    return accepted(answer(request));
+  }
+
+  private HttpResponse<byte[]> answer(HttpRequest.Builder request)
+      throws IOException, InterruptedException {
     try {
-      response = http.send(request.build(), BodyHandlers.ofByteArray());
+      return http.send(request.build(), BodyHandlers.ofByteArray());
     } catch (ConnectException e) {
       throw new IOException("no server answers at " + api.resolve("/"), e);
     }
+  }
+
+  private HttpResponse<byte[]> accepted(HttpResponse<byte[]> response) {
     if (response.statusCode() / 100 != 2) {
       throw refusal(response);
     }

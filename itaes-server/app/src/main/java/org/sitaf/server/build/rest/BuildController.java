@@ -76,7 +76,7 @@ class BuildController {
     if (request.suiteId() == null) {
       throw RequestException.malformed("suiteId must be given.");
     }
-    String id = builds.request(request.suiteId(), request.options());
+    String id = builds.request(request.suiteId(), request.options(), request.source());
     return ResponseEntity.created(URI.create("/api/v1/builds/" + id)).body(view(id));
   }
 
@@ -89,6 +89,9 @@ class BuildController {
       @Parameter(description = "lists the shards of this build; default whole builds only")
           @RequestParam(required = false)
           @Nullable String parentId,
+      @Parameter(description = "lists the builds of this commit; -dirty is part of it")
+          @RequestParam(required = false)
+          @Nullable String commit,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size,
       @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
@@ -98,7 +101,8 @@ class BuildController {
                 activityId,
                 state == null ? null : BuildState.valueOf(state.name()),
                 scheduleId,
-                parentId),
+                parentId,
+                commit),
             Listing.request(page, size, SORTING.order(sort)),
             this::view),
         view -> view);

@@ -1,10 +1,12 @@
 package org.sitaf.server.build.rest;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.BuildSource;
 import org.sitaf.server.build.request.RecordedCases;
 
 /** A request to build a suite. */
@@ -27,7 +29,20 @@ record BuildRequest(
             description =
                 "which cases are recorded in the simulation: ALL, FAILED (FAIL and ERROR), or NONE;"
                     + " default ALL for up to 100 cases, otherwise NONE")
-        @Nullable RecordedCases recordings) {
+        @Nullable RecordedCases recordings,
+    @Schema(
+            description =
+                "id of the commit that is tested, with the suffix -dirty if the files differ from"
+                    + " it; at most 100 characters")
+        @Nullable String commit,
+    @Schema(description = "says what is built, by key; at most 20 of 200 characters")
+        @Nullable Map<String, String> buildLabels) {
+
+  BuildSource source() {
+    return new BuildSource(
+        commit == null || commit.isEmpty() ? null : commit,
+        buildLabels == null ? Map.of() : buildLabels);
+  }
 
   BuildOptions options() {
     return new BuildOptions(

@@ -3,6 +3,8 @@ package org.sitaf.server.build.rest;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.AttemptSummary;
@@ -53,7 +55,14 @@ record BuildView(
     @Schema(description = "requested labels of the agent") List<String> labels,
     @Schema(description = "requested version of the toolchain; absent for any")
         @Nullable String toolchain,
-    @Schema(description = "maximum number of retries after infrastructure failures") int retries) {
+    @Schema(description = "maximum number of retries after infrastructure failures") int retries,
+    @Schema(
+            description =
+                "id of the tested commit, with the suffix -dirty if the files differ from it;"
+                    + " absent if it is not known")
+        @Nullable String commit,
+    @Schema(description = "what the requester says about the build, by key")
+        Map<String, String> buildLabels) {
 
   /** The states of {@link BuildState}, except those of attempts only. */
   enum State {
@@ -180,7 +189,9 @@ record BuildView(
             .map(Requirement.Version::version)
             .findFirst()
             .orElse(null),
-        build.maxAttempts() - 1);
+        build.maxAttempts() - 1,
+        build.source().commit(),
+        new TreeMap<>(build.source().labels()));
   }
 
   private static <R extends Requirement> Stream<R> requirements(Build build, Class<R> kind) {
