@@ -12,7 +12,7 @@ import org.sitaf.core.verdict.Summary;
 
 /** A result in the REST interface, without its cases. */
 @Schema(name = "Result")
-record ResultView(
+public record ResultView(
     String name,
     SummaryView summary,
     List<ParameterView> parameters,
@@ -23,7 +23,7 @@ record ResultView(
         List<RelationView> relations) {
 
   @Schema(name = "RelationCount", description = "in how many cases a relation was checked")
-  record RelationView(
+  public record RelationView(
       String name,
       @Schema(description = "in which it holds or is broken") int checked,
       int broken,
@@ -36,14 +36,14 @@ record ResultView(
   }
 
   @Schema(name = "ResultParameter")
-  record ParameterView(String name, InputKind type, String realType) {
+  public record ParameterView(String name, InputKind type, String realType) {
     static ParameterView of(CaseParameter parameter) {
       return new ParameterView(parameter.name(), parameter.kind(), parameter.realType());
     }
   }
 
   @Schema(name = "ResultSummary", description = "total = pass + fail + error + dont")
-  record SummaryView(
+  public record SummaryView(
       int total,
       int pass,
       int fail,
@@ -70,7 +70,7 @@ record ResultView(
       description =
           "of the cases with verdict PASS or FAIL, absent if there are none: the median of a case"
               + " with repeated calls, else the time of its call")
-  record TimesView(
+  public record TimesView(
       @Schema(description = "always us (microseconds)") String unit,
       double min,
       double max,
@@ -93,7 +93,7 @@ record ResultView(
   }
 
   @Schema(name = "Provenance", description = "SHA-256 of what was executed, where and when")
-  record ProvenanceView(
+  public record ProvenanceView(
       String suite,
       long seed,
       String harness,
@@ -111,7 +111,7 @@ record ResultView(
           List<PackageView> packages,
       @Schema(description = "ISO 8601, UTC") String started,
       @Schema(description = "ISO 8601, UTC") String finished) {
-    static ProvenanceView of(Provenance provenance) {
+    public static ProvenanceView of(Provenance provenance) {
       return new ProvenanceView(
           provenance.suite(),
           provenance.seed(),
@@ -127,7 +127,7 @@ record ResultView(
   }
 
   @Schema(name = "ResolvedPackage")
-  record PackageView(
+  public record PackageView(
       @Schema(description = "GROUP:ARTIFACT for a Maven package") String name,
       String version,
       @Schema(description = "of the downloaded file") String sha256) {

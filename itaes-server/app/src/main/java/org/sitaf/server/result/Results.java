@@ -91,8 +91,16 @@ public class Results {
    * @throws RequestException if there is no result
    */
   public TestResult load(String buildId) {
-    String sha256 = rows.sha256(buildId).orElseThrow(() -> noResult(buildId));
-    return parsed.get(new Key(buildId, sha256), key -> read(document(key.buildId())));
+    return parsed.get(new Key(buildId, sha256(buildId)), key -> read(document(key.buildId())));
+  }
+
+  /**
+   * Returns the SHA-256 of the document of a result.
+   *
+   * @throws RequestException if there is no result
+   */
+  public String sha256(String buildId) {
+    return rows.sha256(buildId).orElseThrow(() -> noResult(buildId));
   }
 
   private record Key(String buildId, String sha256) {}

@@ -3,13 +3,12 @@ package org.sitaf.cli.compare;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.terminal.ProgressLine;
 import org.sitaf.core.compare.CaseComparison;
@@ -22,9 +21,10 @@ import org.sitaf.core.compare.Difference;
 import org.sitaf.core.compare.LostCoverage;
 import org.sitaf.core.compare.NotComparable;
 import org.sitaf.core.compare.SlowerCases;
+import org.sitaf.core.compare.result.OtherTools;
+import org.sitaf.core.compare.result.ResultComparison;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.TestResult;
 
 /** Compares both versions in the cases of one model. */
@@ -95,8 +95,11 @@ final class ModelComparison {
       lastBits.addAll(inCase.lastBits());
       lacking.addAll(inCase.notComparable());
     }
-    addOncePerOutput(lacking);
-    Optional<String> failure = commonFailure(firstBase, firstNow);
+    notComparable.addAll(ResultComparison.oncePerOutput(lacking));
+    Optional<String> failure =
+        ResultComparison.commonFailure(
+            Stream.concat(
+                firstBase.records().values().stream(), firstNow.records().values().stream()));
     if (failure.isPresent()) {
       compared.clear();
       add("no case begins with either version: " + failure.get());
@@ -134,43 +137,6 @@ final class ModelComparison {
         new Comparison(compared, differences, lastBits, unstable, slower, notComparable),
         result,
         otherTools);
-  }
-
-  /** An output that is not comparable for the same reason in several cases is listed once. */
-  private void addOncePerOutput(List<NotComparable> lacking) {
-    Map<List<String>, List<NotComparable>> same =
-        lacking.stream()
-            .collect(
-                Collectors.groupingBy(
-                    n ->
-                        n.output().isEmpty()
-                            ? List.of(Integer.toString(n.no()))
-                            : List.of(n.output(), n.reason()),
-                    LinkedHashMap::new,
-                    Collectors.toList()));
-    same.values()
-        .forEach(
-            entries -> {
-              NotComparable first = entries.get(0);
-              notComparable.add(
-                  entries.size() == 1
-                      ? first
-                      : new NotComparable(first.model(), 0, first.output(), first.reason()));
-            });
-  }
-
-  /** The error outside of the call under test that ends every case with both versions. */
-  private static Optional<String> commonFailure(Run firstBase, Run firstNow) {
-    Set<String> messages = new HashSet<>();
-    for (Run run : List.of(firstBase, firstNow)) {
-      for (CaseRecord record : run.records().values()) {
-        if (record.outcome() != CaseRecord.Outcome.ERROR) {
-          return Optional.empty();
-        }
-        messages.add(record.message());
-      }
-    }
-    return messages.stream().findFirst();
   }
 
   /** Finds unchanged lines of the component's sources that are no longer executed. */

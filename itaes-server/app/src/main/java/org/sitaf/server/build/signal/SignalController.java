@@ -32,6 +32,6 @@ class SignalController {
     return ResponseEntity.ok()
         .cacheControl(CacheControl.noCache().cachePrivate())
         .eTag(found.sha256())
-        .body(signals.content(found));
+        .body(signals.content(found.sha256()));
   }
 }

@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 import org.sitaf.server.build.AttemptKey;
@@ -142,8 +144,24 @@ public class StoredSignals {
                 RequestException.notFound("signals in build " + buildId + " of case", caseNo + ""));
   }
 
-  CaseSignals content(Found found) {
-    byte[] content = contents.content(found.sha256());
+  /** SHA-256 of the signals of a build by the number of the case. */
+  public Map<Integer, String> ofBuild(String buildId) {
+    Map<Integer, String> found = new HashMap<>();
+    jdbc.sql(
+            "SELECT s.case_no, s.sha256 FROM case_signals s JOIN attempt a ON a.token = s.token"
+                + " JOIN build b ON b.id = a.build_id AND b.attempt = a.no"
+                + " WHERE b.id = :build OR b.parent_id = :build")
+        .param("build", buildId)
+        .query(
+            row -> {
+              found.put(row.getInt(1), row.getString(2));
+            });
+    return found;
+  }
+
+  /** The stored signals with this SHA-256. */
+  public CaseSignals content(String sha256) {
+    byte[] content = contents.content(sha256);
     try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(content))) {
       return json.readValue(in, CaseSignals.class);
     } catch (IOException e) {

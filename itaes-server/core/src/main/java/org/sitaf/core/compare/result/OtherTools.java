@@ -1,4 +1,4 @@
-package org.sitaf.cli.compare;
+package org.sitaf.core.compare.result;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,11 +11,11 @@ import org.sitaf.core.verdict.TestResult;
  * The packages and tools that two versions do not share. They may be the reason for a difference
  * that looks like one of the component.
  */
-final class OtherTools {
+public final class OtherTools {
   private OtherTools() {}
 
   /** One text for each, such as {@code numpy 2.4.0 -> 2.4.6}. */
-  static List<String> of(@Nullable TestResult base, @Nullable TestResult now) {
+  public static List<String> of(@Nullable TestResult base, @Nullable TestResult now) {
     if (base == null || now == null) {
       return List.of();
     }
