@@ -54,6 +54,15 @@ export interface ReplaySearch {
 
 export interface CompareSearch {
   with?: string;
+  /** Index of a group of differences. */
+  group?: number;
+  /** A page of its cases, from 1. */
+  page?: number;
+  /** Number of the case whose replays are shown, and that in the other build. */
+  case?: number;
+  other?: number;
+  /** Seconds after the call of the first divergent step. */
+  at?: number;
 }
 
 export interface SignInSearch {
@@ -108,12 +117,18 @@ export function newScheduleSearch(raw: Raw): NewScheduleSearch {
 }
 
 export function replaySearch(raw: Raw): ReplaySearch {
-  const at = raw['at'] === undefined ? NaN : Number(raw['at']);
-  return { ...textIn(raw, 'condition'), ...(Number.isFinite(at) && { at }) };
+  return { ...textIn(raw, 'condition'), ...secondsIn(raw, 'at') };
 }
 
 export function compareSearch(raw: Raw): CompareSearch {
-  return textIn(raw, 'with');
+  return {
+    ...textIn(raw, 'with'),
+    ...numberIn(raw, 'group', 0),
+    ...numberIn(raw, 'page', 2),
+    ...numberIn(raw, 'case', 1),
+    ...numberIn(raw, 'other', 1),
+    ...secondsIn(raw, 'at'),
+  };
 }
 
 export function signInSearch(raw: Raw): SignInSearch {
@@ -144,6 +159,11 @@ function numberIn<K extends string>(raw: Raw, key: K, least: number): Partial<Re
   const number = raw[key] === undefined ? NaN : Number(raw[key]);
   const valid = Number.isSafeInteger(number) && number >= least && number < 10_000_000;
   return (valid ? { [key]: number } : {}) as Partial<Record<K, number>>;
+}
+
+function secondsIn<K extends string>(raw: Raw, key: K): Partial<Record<K, number>> {
+  const seconds = raw[key] === undefined ? NaN : Number(raw[key]);
+  return (Number.isFinite(seconds) ? { [key]: seconds } : {}) as Partial<Record<K, number>>;
 }
 
 function choiceIn<K extends string, V extends string>(

@@ -8,9 +8,11 @@ import type {
   BuildRequest,
   CaseSignals,
   Diagnostic,
+  Difference,
   ModelPreview,
   ResultCase,
   ResultComparison,
+  ValueComparison,
   SuiteCase,
 } from '@/shared/api';
 import { AGENT, activity, build, result, suite } from './samples';
@@ -52,11 +54,13 @@ const NOUNS = [
   'comparison',
   'coverage',
   'description',
+  'differences',
   'expected',
   'files',
   'log',
   'model-previews',
   'models',
+  'not-comparable',
   'preview',
   'recordings',
   'result',
@@ -64,6 +68,7 @@ const NOUNS = [
   'session',
   'signals',
   'suites',
+  'values',
 ];
 
 /** The REST interface of the server with data in memory, on a free port of the loopback interface. */
@@ -73,6 +78,10 @@ export class FakeServer {
   readonly cases = new Map<string, ResultCase[]>();
   /** Of any two builds. */
   comparison: ResultComparison | undefined;
+  /** Of any two builds; without it, their parameters differ. */
+  values: ValueComparison | undefined;
+  /** By index of the group. */
+  readonly differences = new Map<string, Difference[]>();
 
   /** Finished cases of builds that have no result yet. */
   readonly liveCases = new Map<string, ResultCase[]>();
@@ -299,6 +308,23 @@ export class FakeServer {
     'GET builds * cases * log': ({ path }) => ({
       status: 200,
       text: this.caseLogs.get(`${path[1]} ${path[3]}`) ?? '',
+    }),
+    'GET builds * result comparison values': () =>
+      this.values
+        ? { status: 200, json: this.values }
+        : { status: 409, json: { title: 'Conflict', detail: 'their parameters differ' } },
+    'GET builds * result comparison differences': ({ query }) => {
+      const items = this.differences.get(query.get('group') ?? query.get('part') ?? '') ?? [];
+      return { status: 200, json: { items, page: 0, size: 50, total: items.length } };
+    },
+    'GET builds * result comparison not-comparable': () => ({
+      status: 200,
+      json: {
+        items: [{ no: 0, output: 'peak', reason: 'only NEW has it' }],
+        page: 0,
+        size: 50,
+        total: 1,
+      },
     }),
     'GET builds * result comparison': () => ({ status: 200, json: this.comparison }),
     'GET builds * result coverage': () => ({

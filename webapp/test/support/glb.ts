@@ -1,14 +1,18 @@
 const HEADER_BYTES = 12;
 const CHUNK_HEADER_BYTES = 8;
 
-/** A recording of a body that moves one metre in one second, and of a range sensor. `change` edits the glTF. */
+/**
+ * A recording of a body that moves one metre in one second, and of a range sensor. `change` edits
+ * the glTF, `rows` are the readings, and `middle` is the position after half a second.
+ */
 export function recordingGlb(
   change: (gltf: Record<string, unknown>) => void = () => {},
+  rows: readonly number[] = [2, 1.5, 1],
+  middle = 0.5,
 ): Uint8Array {
   const times = [0, 0.5, 1];
-  const positions = [0, 0, 0, 0.5, 0, 0, 1, 0, 0];
+  const positions = [0, 0, 0, middle, 0, 0, 1, 0, 0];
   const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0];
-  const rows = [2, 1.5, 1];
   const binary = new Float32Array([...times, ...positions, ...corners, ...rows]);
   const gltf = {
     asset: { version: '2.0' },

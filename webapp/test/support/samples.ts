@@ -94,6 +94,7 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
     recordedCases: 'ALL',
     labels: [],
     retries: 2,
+    buildLabels: {},
     suspicions: [],
     ...changes,
   };

@@ -3,6 +3,7 @@ import type { Build } from '@/shared/api';
 import { formatDuration } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
+import { BuildSource } from './BuildSource';
 import { BuildStatus } from './BuildStatus';
 import classes from './builds.module.css';
 import { BUILDS_PER_PAGE, useBuilds } from './queries';
@@ -67,6 +68,7 @@ function BuildRow({ build }: { build: Build }) {
         <RouteLink to="/builds/$buildId" params={{ buildId: build.id }} fw={600} size="sm">
           <UserText>{`${build.activityName} / ${build.model}`}</UserText>
         </RouteLink>
+        <BuildSource build={build} />
       </Table.Td>
       <Table.Td>
         <BuildStatus build={build} />

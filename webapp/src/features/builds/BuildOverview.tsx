@@ -3,6 +3,7 @@ import type { Build } from '@/shared/api';
 import { formatDuration, formatInstant } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 import { Diagnostics, ProblemAlert, UserText } from '@/shared/ui';
+import { BuildSource } from './BuildSource';
 import { BuildStatus } from './BuildStatus';
 import { useCancelBuild } from './queries';
 import { isFinished, progressOf } from './state';
@@ -17,6 +18,7 @@ export function BuildOverview({ build }: { build: Build }) {
         </span>
         <Facts build={build} />
       </Group>
+      <BuildSource build={build} />
       {build.waitingFor && (
         <Text>
           Waiting: <UserText>{build.waitingFor}</UserText>

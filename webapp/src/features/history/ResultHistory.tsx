@@ -2,6 +2,7 @@ import { Badge, Checkbox, Group, Stack, Table, Text } from '@mantine/core';
 import { useMemo, useState } from 'react';
 import type { EChartsCoreOption } from 'echarts/core';
 import type { ResultOfBuild } from '@/shared/api';
+import { shortCommit } from '@/shared/lib/commits';
 import { formatInstant, formatTime } from '@/shared/lib/format';
 import { VERDICTS, VERDICT_COLOURS, VERDICT_LABELS, countOf } from '@/shared/lib/verdicts';
 import {
@@ -64,6 +65,7 @@ export function ResultHistory({ activityId, model }: ResultHistoryProps) {
             ))}
             <Table.Th ta="right">Average (µs)</Table.Th>
             <Table.Th>Agent</Table.Th>
+            <Table.Th>Commit</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
@@ -104,6 +106,9 @@ export function ResultHistory({ activityId, model }: ResultHistoryProps) {
               ))}
               <Table.Td ta="right">{formatTime(item.summary.processingTime?.average)}</Table.Td>
               <Table.Td>{item.agent ? <UserText>{item.agent}</UserText> : '–'}</Table.Td>
+              <Table.Td>
+                {item.commit ? <UserText>{shortCommit(item.commit)}</UserText> : '–'}
+              </Table.Td>
             </Table.Tr>
           ))}
         </Table.Tbody>

@@ -5,4 +5,5 @@ export { RelationRuns } from './RelationRuns';
 export { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
 export { StepList } from './StepList';
 export { ResultGraphs } from './ResultGraphs';
+export { ResultProvenance } from './ResultProvenance';
 export { ResultView } from './ResultView';

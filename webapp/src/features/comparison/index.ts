@@ -1,0 +1,1 @@
+export { ValueDifferences, type ShownCase } from './ValueDifferences';
