@@ -25,21 +25,24 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 record NewPackage(String name, String version) {
   private static final Pattern FORM =
       Pattern.compile("([A-Za-z0-9][A-Za-z0-9._-]*(?::[A-Za-z0-9._-]+)?)==([A-Za-z0-9._+!-]+)");
+  private static final Pattern MAVEN_FORM =
+      Pattern.compile("([A-Za-z0-9][A-Za-z0-9._-]*:[A-Za-z0-9._-]+):([A-Za-z0-9._+!-]+)");
   private static final Pattern PYTHON_NAME = Pattern.compile("^[A-Za-z0-9][A-Za-z0-9._-]*");
   private static final String PROFILE = "activity.yaml";
   private static final String LIST = "requirements.txt";
 
   /**
-   * Reads {@code NAME==VERSION}.
+   * Reads {@code NAME==VERSION}, or {@code GROUP:ARTIFACT:VERSION} as a profile names a package.
    *
    * @throws InvalidInputException if it has another form
    */
   static NewPackage parse(String text) {
-    Matcher form = FORM.matcher(text);
+    Matcher maven = MAVEN_FORM.matcher(text);
+    Matcher form = maven.matches() ? maven : FORM.matcher(text);
     if (!form.matches()) {
       throw InvalidInputException.of(
           "--new-package " + text,
-          "must be NAME==VERSION, such as numpy==2.4.0 or org.apache.commons:commons-math3==3.6.1");
+          "must be NAME==VERSION, such as numpy==2.4.0 or org.apache.commons:commons-math3:3.6.1");
     }
     return new NewPackage(form.group(1), form.group(2));
   }

@@ -40,6 +40,11 @@ class NewPackageTest {
   }
 
   @Test
+  void readsAMavenPackageAsTheProfileNamesIt() {
+    assertThat(NewPackage.parse("g.h:arm:1.1")).isEqualTo(NewPackage.parse("g.h:arm==1.1"));
+  }
+
+  @Test
   void replacesADependency() {
     FileTree files =
         NewPackage.parse("numpy==2.4.0")
@@ -81,7 +86,17 @@ class NewPackageTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"numpy", "numpy==", "-r x==1", "a==1; b", "a @ http://x==1", "a==1\nb==2"})
+      strings = {
+        "numpy",
+        "numpy==",
+        "numpy:1.0",
+        "g:arm",
+        "g:arm:jar:1.0",
+        "-r x==1",
+        "a==1; b",
+        "a @ http://x==1",
+        "a==1\nb==2"
+      })
   void refusesOtherForms(String text) {
     assertThatThrownBy(() -> NewPackage.parse(text))
         .isInstanceOf(InvalidInputException.class)
