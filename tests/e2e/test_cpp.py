@@ -165,7 +165,7 @@ def test_an_exception_in_cpp_is_an_error_with_its_message(sitaf, cpp_activity):
 
 @cpp
 def test_caches_do_not_change_the_result_of_edits(sitaf):
-    ran = sitaf("bench", "cache", "--edits", "40")
+    ran = sitaf("bench", "cache", "--edits", "16")
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert ran.stdout.splitlines()[-1] == "cache: held"
 
