@@ -85,6 +85,59 @@ def test_a_remote_compiler_error_is_reported_with_file_and_line(sitaf, server, a
     assert re.search(rf"InfraredSensor\.java:{at + 1}: error: .*cannot find symbol", run.stderr), run.stderr
 
 
+def answer(server, path):
+    request = urllib.request.Request(server.address + path, headers={"Authorization": f"Bearer {server.token}"})
+    with urllib.request.urlopen(request) as found:
+        return json.load(found)
+
+
+def committed(folder):
+    """Commits all files of a new repository and returns the id."""
+    git = ["git", "-C", folder, "-c", "user.name=Ada", "-c", "user.email=ada@example"]
+    subprocess.run([*git, "init", "--quiet"], check=True)
+    subprocess.run([*git, "add", "--all"], check=True)
+    subprocess.run([*git, "commit", "--quiet", "--no-verify", "--message", "Begin"], check=True)
+    return subprocess.run([*git, "rev-parse", "HEAD"], check=True, capture_output=True, text=True).stdout.strip()
+
+
+def test_runs_update_one_activity_and_their_builds_know_the_commit(sitaf, server, activity):
+    profile = activity / "activity.yaml"
+    profile.write_text(re.sub(r"(?m)^name: .*", "name: with-history", profile.read_text()))
+    commit = committed(activity)
+
+    def run(*options):
+        done = sitaf(
+            "run", activity, "--server", server.address, "--model", "GetInfraredData", *options,
+            env={"SITAF_TOKEN": server.token},
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+
+    run("--label", "branch=main", "--label", "run=7=8")
+    source = next(activity.glob("component/**/InfraredSensor.java"))
+    source.write_text(source.read_text() + "// changed\n")
+    run()
+    found = answer(server, "/api/v1/activities?name=with-history")
+    assert found["total"] == 1
+    uploaded = found["items"][0]
+    newest, first = answer(server, f"/api/v1/builds?activityId={uploaded['id']}")["items"]
+    assert (first["commit"], first["buildLabels"]) == (commit, {"branch": "main", "run": "7=8"})
+    assert (newest["commit"], newest["buildLabels"]) == (f"{commit}-dirty", {})
+
+    other = answer(server, "/api/v1/activities?name=ir-sensor")["items"]
+    run("--activity", uploaded["id"])
+    assert answer(server, f"/api/v1/builds?activityId={uploaded['id']}")["total"] == 3
+    assert answer(server, "/api/v1/activities?name=ir-sensor")["items"] == other
+
+    values = answer(server, f"/api/v1/builds/{newest['id']}/result/comparison/values?with={first['id']}")
+    assert (values["cases"], values["differences"]) == (55, 0)
+
+
+def test_labels_need_a_server(sitaf):
+    run = sitaf("run", "examples/ir-sensor", "--label", "a=b")
+    assert run.returncode == 2
+    assert "--activity and --label need --server" in run.stderr
+
+
 @pytest.mark.parametrize(
     ("address", "token", "expected"),
     [

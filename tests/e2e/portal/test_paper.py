@@ -93,7 +93,15 @@ def test_a_fixed_component_is_compared_with_the_faulty_one(page):
     page.get_by_role("heading", name="Fixed: 5").wait_for()
     page.get_by_role("heading", name="Newly failing: 0").wait_for()
     expect(page.get_by_role("table", name="Fixed").get_by_role("row")).to_have_count(6)
+    page.get_by_role("heading", name="Differences: 5").wait_for()
+    page.get_by_role("button", name=re.compile("^Show cases")).last.click()
+    cases = page.get_by_role("table", name="Cases of the group")
+    cases.wait_for()
     shot(page, "comparison")
+    cases.get_by_role("button", name=re.compile("^Replays of case")).first.click()
+    both = page.get_by_role("group", name="Both replays")
+    both.get_by_role("status").filter(has_text="diverge").wait_for()
+    expect(both.get_by_role("application", name=re.compile("^3D replay of case"))).to_have_count(2)
 
 
 def test_a_result_is_downloaded_in_four_formats(page):
