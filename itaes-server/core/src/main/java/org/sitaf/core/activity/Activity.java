@@ -188,16 +188,18 @@ public record Activity(
   }
 
   /**
-   * The type of an output of a model's target: as the model says, else as the interface declares;
-   * {@link DataType.Unknown} if neither knows the output.
+   * The type of an output of a model's target: as the interface declares, else as the model says;
+   * {@link DataType.Unknown} if neither knows the output. The model of a whole sequence often names
+   * the type of its elements only.
    */
   public DataType outputType(TestModel model, String output) {
-    Optional<DataType> inModel =
-        model.output(output).map(OutputElement::type).filter(t -> !(t instanceof DataType.Unknown));
-    if (inModel.isPresent()) {
-      return inModel.get();
-    }
-    DataType unknown = new DataType.Unknown(output);
+    return declaredType(model, output)
+        .filter(type -> !(type instanceof DataType.Unknown))
+        .or(() -> model.output(output).map(OutputElement::type))
+        .orElse(new DataType.Unknown(output));
+  }
+
+  private Optional<DataType> declaredType(TestModel model, String output) {
     try {
       Method method = TargetMethod.find(model, provided).method();
       String root = MemberPath.root(output);
@@ -208,9 +210,9 @@ public record Activity(
                   .filter(p -> p.name().equals(root))
                   .map(Parameter::type)
                   .findFirst();
-      return whole.flatMap(type -> MemberPath.resolve(type, output)).orElse(unknown);
+      return whole.flatMap(type -> MemberPath.resolve(type, output));
     } catch (IllegalArgumentException e) {
-      return unknown;
+      return Optional.empty();
     }
   }
 
