@@ -40,17 +40,20 @@ final class ErrorText {
     if (record.outcome() == CaseRecord.Outcome.RETURNED) {
       return "";
     }
-    String message = record.message();
+    String message = withoutPlaces(record.message());
     if (record.outcome() != CaseRecord.Outcome.THREW) {
       return normalised(message.isEmpty() ? "error" : message);
     }
-    int cause = message.indexOf(CAUSE);
-    String first = cause < 0 ? message : message.substring(0, cause);
-    Matcher qualifier = QUALIFIER.matcher(PLACES.matcher(first).replaceFirst(""));
+    Matcher qualifier = QUALIFIER.matcher(message);
     String text = normalised(qualifier.replaceFirst(""));
     return text.startsWith(record.thrown())
         ? text
         : record.thrown() + (text.isEmpty() ? "" : ": " + text);
+  }
+
+  private static String withoutPlaces(String message) {
+    int cause = message.indexOf(CAUSE);
+    return PLACES.matcher(cause < 0 ? message : message.substring(0, cause)).replaceFirst("");
   }
 
   /** The type of the error for groups. */

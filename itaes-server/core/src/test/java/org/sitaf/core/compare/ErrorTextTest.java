@@ -38,6 +38,15 @@ class ErrorTextTest {
   }
 
   @Test
+  void thePlaceOfAnErrorOutsideOfTheCallIsLeftOut() {
+    assertThat(
+            ErrorText.of(
+                CaseRecord.error(
+                    1, "TypeError: missing 'memory' at reset (ad.py:3), make (b.py:9)")))
+        .isEqualTo("TypeError: missing 'memory'");
+  }
+
+  @Test
   void anotherMessageOrTypeRemains() {
     assertThat(thrown("A", "A: at least 3 (not 2)")).isEqualTo("A: at least 3 (not 2)");
     assertThat(thrown("A", "A: 3.5 m/s")).isNotEqualTo(thrown("A", "A: 3.6 m/s"));
