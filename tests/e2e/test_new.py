@@ -95,7 +95,7 @@ def test_what_exists_is_never_touched(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--from", "nothing"], "is not an example; examples: angle-normalisation"),
+        (["--from", "nothing"], "is not an example; examples: "),
         (["--from", "../examples/ir-sensor"], "is not an example"),
         (["--from", "ir-sensor", "--language", "java"], "remove the other options"),
         (["--interface", "missing.idl"], "does not exist"),
