@@ -36,14 +36,14 @@ def test_a_thread_that_spins_ends_with_the_shutdown_of_the_main_function(tmp_pat
     assert got == [(0.0, "0"), (0.2, "1"), (0.4, "2")]
     assert texts == ["over"]
     assert ended
-    assert [w for w in warnings if "Thread-1" in w and "ExternalShutdownException" in w]
+    assert [w for w in warnings if "(spin)" in w and "ExternalShutdownException" in w]
 
 
 def test_what_a_thread_raises_after_the_shutdown_stays_an_error(tmp_path):
     text = SPINS_ASIDE.replace("TARGET", "after") + (
         "\ndef after(node):\n    try:\n        rclpy.spin(node)\n    except Exception:\n        node.nothing()\n"
     )
-    with pytest.raises(AssertionError, match=r"thread Thread-1 \(after\): AttributeError"):
+    with pytest.raises(AssertionError, match=r"thread Thread-\d+ \(after\): AttributeError"):
         node(tmp_path, text, lambda case: case.run(1), entry="followed:main")
 
 
