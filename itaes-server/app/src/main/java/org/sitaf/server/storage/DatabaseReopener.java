@@ -23,10 +23,12 @@ final class DatabaseReopener implements SQLExceptionOverride {
   private static final long RETRY_MS = 500;
 
   private final HikariDataSource pool;
+  private final Runnable beforeOpening;
   private boolean reopening;
 
-  DatabaseReopener(HikariDataSource pool) {
+  DatabaseReopener(HikariDataSource pool, Runnable beforeOpening) {
     this.pool = pool;
+    this.beforeOpening = beforeOpening;
     pool.setAllowPoolSuspension(true);
     pool.setExceptionOverride(this);
   }
@@ -86,6 +88,7 @@ final class DatabaseReopener implements SQLExceptionOverride {
 
   private boolean tryToOpen() throws InterruptedException {
     evictConnections();
+    beforeOpening.run();
     try (Connection connection = pool.getConnection();
         Statement statement = connection.createStatement()) {
       statement.execute("SELECT COUNT(*) FROM \"flyway_schema_history\"");

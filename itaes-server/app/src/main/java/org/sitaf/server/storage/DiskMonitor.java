@@ -18,11 +18,13 @@ class DiskMonitor implements HealthIndicator {
   private static final Logger log = LoggerFactory.getLogger(DiskMonitor.class);
 
   private final DiskSpace disk;
+  private final DiskReserve reserve;
   private final ApplicationEventPublisher events;
   private State last = State.OK;
 
-  DiskMonitor(DiskSpace disk, ApplicationEventPublisher events) {
+  DiskMonitor(DiskSpace disk, DiskReserve reserve, ApplicationEventPublisher events) {
     this.disk = disk;
+    this.reserve = reserve;
     this.events = events;
   }
 
@@ -34,6 +36,7 @@ class DiskMonitor implements HealthIndicator {
 
   @Scheduled(fixedDelayString = "PT1S")
   synchronized void check() {
+    reserve.refill();
     Optional<String> readOnly = disk.whyNothingIsWritten();
     Optional<String> noNewWork = disk.whyNoNewWork();
     State now =

@@ -54,7 +54,21 @@ public class DiskSpace {
 
   /** Why the server writes nothing; empty if there is enough space. */
   public Optional<String> whyNothingIsWritten() {
-    return shortage(minFree / RESERVE_FRACTION);
+    return shortage(neededToWrite(minFree));
+  }
+
+  /** Below this many free bytes nothing is written. */
+  static long neededToWrite(long minFree) {
+    return minFree / RESERVE_FRACTION;
+  }
+
+  /** Whether the database is on this disk. */
+  boolean holdsDatabase() {
+    return holdsDatabase;
+  }
+
+  long freeBytes() {
+    return usableBytes.applyAsLong(data);
   }
 
   /** Whether the server writes to the database. */
@@ -67,7 +81,7 @@ public class DiskSpace {
    * another machine.
    */
   Optional<String> whyTheDatabaseIsNotWritten() {
-    return holdsDatabase ? shortage(minFree / RESERVE_FRACTION) : Optional.empty();
+    return holdsDatabase ? shortage(neededToWrite(minFree)) : Optional.empty();
   }
 
   /**
@@ -89,7 +103,7 @@ public class DiskSpace {
    * @throws RequestException if the disk is too full
    */
   public void requireFor(long bytes) {
-    shortage(minFree == 0 ? 0 : minFree / RESERVE_FRACTION + bytes)
+    shortage(minFree == 0 ? 0 : neededToWrite(minFree) + bytes)
         .ifPresent(
             why -> {
               throw RequestException.diskFull("There is not enough disk space", why);
@@ -100,7 +114,7 @@ public class DiskSpace {
     if (needed == 0) {
       return Optional.empty();
     }
-    long free = usableBytes.applyAsLong(data);
+    long free = freeBytes();
     return free >= needed
         ? Optional.empty()
         : Optional.of(

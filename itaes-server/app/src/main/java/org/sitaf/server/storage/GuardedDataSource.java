@@ -26,7 +26,11 @@ import org.springframework.jdbc.datasource.DelegatingDataSource;
  */
 final class GuardedDataSource extends DelegatingDataSource implements AutoCloseable {
   private static final String LOCAL_FILE = "jdbc:h2:file:";
-  private static final Duration REOPEN_TIMEOUT = Duration.ofSeconds(5);
+  private static final Duration REOPEN_TIMEOUT = Duration.ofSeconds(20);
+
+  /** The pool cannot be emptied while a thread waits for one of its connections. */
+  private static final Duration CONNECTION_TIMEOUT = Duration.ofSeconds(10);
+
   private static final Set<String> READ_ONLY =
       Set.of("SELECT", "WITH", "VALUES", "SHOW", "EXPLAIN", "SET", "CALL");
   private static final Pattern FIRST_WORD = Pattern.compile("[\\s(]*([A-Za-z]+)");
@@ -35,7 +39,11 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
 
   private final HikariDataSource pool;
   private final Supplier<Optional<String>> whyFull;
+  private final Runnable beforeEnd;
   private final DatabaseReopener reopener;
+
+  /** Connections that the current thread holds. */
+  private final ThreadLocal<Integer> held = ThreadLocal.withInitial(() -> 0);
 
   /** Whether the configured database is a local file. */
   static boolean guards(Environment environment) {
@@ -46,25 +54,32 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
    * Wraps a pool that is not in use yet.
    *
    * @param whyFull why nothing can be written; empty if the disk has enough space
+   * @param beforeEnd called before a transaction ends or the database is opened again, for which H2
+   *     may need space
    */
-  GuardedDataSource(HikariDataSource pool, Supplier<Optional<String>> whyFull) {
+  GuardedDataSource(HikariDataSource pool, Supplier<Optional<String>> whyFull, Runnable beforeEnd) {
     super(pool);
     this.pool = pool;
     this.whyFull = whyFull;
-    this.reopener = new DatabaseReopener(pool);
+    this.beforeEnd = beforeEnd;
+    pool.setConnectionTimeout(CONNECTION_TIMEOUT.toMillis());
+    this.reopener = new DatabaseReopener(pool, beforeEnd);
   }
 
   @Override
   public Connection getConnection() throws SQLException {
     try {
-      if (!reopener.await(REOPEN_TIMEOUT)) {
+      // The database is opened only after the connection that the thread already holds is closed.
+      if (!reopener.await(held.get() > 0 ? Duration.ZERO : REOPEN_TIMEOUT)) {
         throw new SQLTransientConnectionException("the database is being reopened");
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new SQLTransientConnectionException("interrupted while waiting for the database", e);
     }
-    return guarded(pool.getConnection());
+    Connection connection = guarded(pool.getConnection());
+    held.set(held.get() + 1);
+    return connection;
   }
 
   private Connection guarded(Connection connection) {
@@ -79,6 +94,7 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
   private final class ConnectionHandler implements InvocationHandler {
     private final Connection connection;
     private boolean hasWritten;
+    private boolean isClosed;
 
     ConnectionHandler(Connection connection) {
       this.connection = connection;
@@ -104,6 +120,12 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
           end(method, arguments);
           return null;
         }
+        case "close" -> {
+          if (!isClosed) {
+            isClosed = true;
+            held.set(held.get() - 1);
+          }
+        }
         default -> {
           // The server only executes prepared statements.
         }
@@ -116,6 +138,7 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
      * transaction that has only read has lost nothing.
      */
     private void end(Method method, Object @Nullable [] arguments) throws Throwable {
+      beforeEnd.run();
       try {
         var unused = call(method, arguments);
       } catch (SQLException e) {

@@ -22,12 +22,17 @@ class StorageConfiguration {
   /** Applies to H2 files only; a database server handles its disk itself. */
   @Bean
   static BeanPostProcessor diskFullProtection(
-      ObjectProvider<DiskSpace> disks, Environment environment) {
+      ObjectProvider<DiskSpace> disks,
+      ObjectProvider<DiskReserve> reserves,
+      Environment environment) {
     return new BeanPostProcessor() {
       @Override
       public Object postProcessAfterInitialization(Object bean, String name) {
         return bean instanceof HikariDataSource pool && GuardedDataSource.guards(environment)
-            ? new GuardedDataSource(pool, disks.getObject()::whyTheDatabaseIsNotWritten)
+            ? new GuardedDataSource(
+                pool,
+                disks.getObject()::whyTheDatabaseIsNotWritten,
+                reserves.getObject()::giveBackIfNeeded)
             : bean;
       }
     };

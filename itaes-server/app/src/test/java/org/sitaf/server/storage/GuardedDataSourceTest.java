@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.SQLException;
+import java.sql.SQLTransientConnectionException;
 import java.sql.Statement;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,8 +25,9 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 class GuardedDataSourceTest {
   @TempDir private Path folder;
   private Optional<String> fullReason = Optional.empty();
+  private int ends;
   private GuardedDataSource database =
-      new GuardedDataSource(new HikariDataSource(), this::fullReason);
+      new GuardedDataSource(new HikariDataSource(), this::fullReason, () -> ends++);
   private JdbcClient jdbc = JdbcClient.create(database);
 
   private Optional<String> fullReason() {
@@ -37,7 +39,7 @@ class GuardedDataSourceTest {
     HikariDataSource pool = new HikariDataSource();
     pool.setJdbcUrl("jdbc:h2:file:" + folder + "/database;WRITE_DELAY=0;DB_CLOSE_ON_EXIT=FALSE");
     pool.setMaximumPoolSize(4);
-    database = new GuardedDataSource(pool, this::fullReason);
+    database = new GuardedDataSource(pool, this::fullReason, () -> ends++);
     jdbc = JdbcClient.create(database);
     jdbc.sql("CREATE TABLE \"flyway_schema_history\" (no INT PRIMARY KEY)").update();
     insert(1);
@@ -92,6 +94,16 @@ class GuardedDataSourceTest {
   }
 
   @Test
+  void eachEndOfTransactionIsAnnounced() throws SQLException {
+    try (Connection connection = database.getConnection()) {
+      connection.setAutoCommit(false);
+      connection.rollback();
+      connection.commit();
+    }
+    assertThat(ends).isEqualTo(2);
+  }
+
+  @Test
   void statementsThatLockRowsCountAsWrites() {
     assertThat(GuardedDataSource.writes("select a from b where c = 'x' for update")).isTrue();
     assertThat(GuardedDataSource.writes("SELECT * FROM QRTZ_LOCKS WHERE x = ? FOR UPDATE"))
@@ -118,6 +130,20 @@ class GuardedDataSourceTest {
       insertWhenAvailable(round);
     }
     assertThat(stored()).containsExactly(1, 2, 3, 4);
+  }
+
+  @Test
+  void threadWithAConnectionDoesNotDelayTheReopening() throws SQLException {
+    try (Connection held = database.getConnection()) {
+      shutDown();
+      assertThatThrownBy(() -> held.prepareStatement("VALUES 1").execute())
+          .isInstanceOf(SQLException.class);
+      assertThatThrownBy(database::getConnection)
+          .isInstanceOf(SQLTransientConnectionException.class)
+          .hasMessage("the database is being reopened");
+    }
+    insertWhenAvailable(2);
+    assertThat(stored()).containsExactly(1, 2);
   }
 
   @Test
