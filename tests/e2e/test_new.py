@@ -108,3 +108,44 @@ def test_a_bad_option_writes_nothing(tmp_path: Path, options: list[str], message
     assert ended.returncode == 2
     assert message in ended.stderr
     assert not (tmp_path / "new").exists()
+
+
+@pytest.mark.parametrize(
+    ("package", "options", "profile"),
+    [
+        (
+            "examples/rclpy/services/minimal_service",
+            ("--class", "examples_rclpy_minimal_service.service:main"),
+            "AddTwoInts.srv, name: /add_two_ints",
+        ),
+        (
+            "demos/demo_nodes_py",
+            ("--class", "demo_nodes_py.topics.listener:main"),
+            "/chatter: input.chatter",
+        ),
+    ],
+)
+def test_the_activity_of_a_ros_package_is_green_at_once(
+    tmp_path: Path, package: str, options: tuple[str, ...], profile: str
+) -> None:
+    folder = HOME.parent / "shared" / "ros2-packages" / package
+    if not folder.is_dir():
+        pytest.skip("../shared/ros2-packages is not there")
+    begin(tmp_path / "new", "--node", folder, *options)
+    assert profile in (tmp_path / "new" / "activity.yaml").read_text()
+    ended = sitaf("run", tmp_path / "new")
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert "0 FAIL, 0 ERROR, 0 DONT" in ended.stdout
+
+
+def test_a_package_cannot_be_combined_with_java(tmp_path: Path) -> None:
+    ended = sitaf("new", tmp_path / "new", "--node", HOME / "examples" / "wall-stop-ros", "--language", "java")
+    assert ended.returncode == 2
+    assert "can be combined with --class, and with --language python or cpp" in ended.stderr
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_language_of_nodes_points_to_their_option(tmp_path: Path) -> None:
+    ended = sitaf("new", tmp_path / "new", "--language", "ros2-python")
+    assert ended.returncode == 2
+    assert "for a ROS 2 node use --node PACKAGE" in ended.stderr

@@ -20,7 +20,9 @@ import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.beginning.NewActivity;
+import org.sitaf.core.beginning.node.NewNodeActivity;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -33,11 +35,14 @@ import picocli.CommandLine.Spec;
     description =
         "Writes a complete activity into a new folder: the interface, a test model for each method"
             + " with guessed ranges, the skeleton of a component, and a world with the devices of a"
-            + " robot. It runs at once; comments mark what you decide. On a terminal it asks for"
+            + " robot. With --node, the activity of a ROS 2 package as it is. It runs at once; comments mark what you decide. On a terminal it asks for"
             + " what the options do not say. Exit code 2: an input is invalid; nothing was"
             + " written.",
     mixinStandardHelpOptions = true)
 public final class NewCommand implements Callable<Integer> {
+  private static final String NO_LANGUAGE =
+      "is not one of java, cpp and python; for a ROS 2 node use --node PACKAGE";
+
   @Spec private @Nullable CommandSpec spec;
 
   @Parameters(paramLabel = "FOLDER", description = "A folder that is empty or does not exist.")
@@ -54,14 +59,25 @@ public final class NewCommand implements Callable<Integer> {
   @Option(
       names = "--language",
       paramLabel = "LANGUAGE",
-      description = "Language of the component: ${COMPLETION-CANDIDATES}. Default: python.")
+      converter = LanguageConverter.class,
+      description = "Language of the component: java, cpp, python. Default: python.")
   private @Nullable Language language;
 
   @Option(
       names = "--class",
       paramLabel = "NAME",
-      description = "Class of the component: package.Class, namespace::Class or module.Class.")
+      description =
+          "Class of the component: package.Class, namespace::Class or module.Class. With --node, the"
+              + " class or main that is tested if the package holds several.")
   private @Nullable String className;
+
+  @Option(
+      names = "--node",
+      paramLabel = "PACKAGE",
+      description =
+          "A ROS 2 package in Python or C++: its folder is copied unchanged, and its topics,"
+              + " services, actions and parameters are taken from its sources.")
+  private @Nullable Path node;
 
   @Option(
       names = "--robot",
@@ -77,13 +93,32 @@ public final class NewCommand implements Callable<Integer> {
       description = "Copies an example of SITAF instead, such as ir-sensor.")
   private @Nullable String example;
 
+  /** Languages of skeletons; a ROS 2 node exists already. */
+  static final class LanguageConverter implements CommandLine.ITypeConverter<Language> {
+    @Override
+    public Language convert(String name) {
+      try {
+        return Language.valueOf(name.toUpperCase(Locale.ROOT));
+      } catch (IllegalArgumentException e) {
+        throw new CommandLine.TypeConversionException("'" + name + "' " + NO_LANGUAGE);
+      }
+    }
+  }
+
   @Override
   public Integer call() throws IOException, InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     requireEmpty(folder);
-    FileTree files = example == null ? proposed(out) : copied(example);
-    write(files);
-    summarise(files, out);
+    if (node != null) {
+      NewNodeActivity.Proposal proposal = ofNode(node);
+      write(proposal.files());
+      summarise(proposal.files(), out);
+      proposal.notes().forEach(note -> out.println(Printable.line("  " + note)));
+    } else {
+      FileTree files = example == null ? proposed(out) : copied(example);
+      write(files);
+      summarise(files, out);
+    }
     out.flush();
     return 0;
   }
@@ -133,11 +168,23 @@ public final class NewCommand implements Callable<Integer> {
         .propose();
   }
 
+  private NewNodeActivity.Proposal ofNode(Path folder) throws IOException {
+    if (interfaceFile != null || robot != null || example != null || language == Language.JAVA) {
+      throw InvalidInputException.of(
+          "--node " + folder,
+          "can be combined with --class, and with --language python or cpp; remove the other"
+              + " options");
+    }
+    Path ros = Installation.current().rosInterfaces();
+    FileTree installed = Files.isDirectory(ros) ? UserFiles.folder(ros) : FileTree.of(Map.of());
+    return NodeChoice.of(folder, language).activity(name(), className, installed).propose();
+  }
+
   private static Language language(String name) {
     try {
       return Language.valueOf(name.toUpperCase(Locale.ROOT));
     } catch (IllegalArgumentException e) {
-      throw InvalidInputException.of("--language " + name, "is not one of java, cpp and python");
+      throw InvalidInputException.of("--language " + name, NO_LANGUAGE);
     }
   }
 
@@ -149,7 +196,11 @@ public final class NewCommand implements Callable<Integer> {
   }
 
   private FileTree copied(String name) throws IOException {
-    if (interfaceFile != null || robot != null || className != null || language != null) {
+    if (interfaceFile != null
+        || robot != null
+        || node != null
+        || className != null
+        || language != null) {
       throw InvalidInputException.of(
           "--from " + name, "copies an example as it is; remove the other options");
     }
@@ -205,12 +256,15 @@ public final class NewCommand implements Callable<Integer> {
   private void summarise(FileTree files, PrintWriter out) {
     files.paths().stream()
         .filter(path -> !path.startsWith("world/") || path.endsWith(".world.yaml"))
+        .filter(path -> node == null || !path.startsWith("src/"))
         .forEach(path -> out.println(Printable.line("  " + folder.resolve(path))));
     out.println();
     out.println("Next:");
     out.println(Printable.line("  ./sitaf run " + folder));
     if (example == null) {
-      out.println("  write the component: component/");
+      if (node == null) {
+        out.println("  write the component: component/");
+      }
       out.println("  decide the ranges and what is expected: the *.xml models");
       if (files.paths().stream().anyMatch(path -> path.endsWith(".world.yaml"))) {
         out.println("  check the devices: world/*.world.yaml");

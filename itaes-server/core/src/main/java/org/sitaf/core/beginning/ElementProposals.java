@@ -22,11 +22,17 @@ final class ElementProposals {
   private static final Set<String> PASSED_OVER = Set.of("header", "stamp");
 
   private final Map<String, Object> constants;
+  private final boolean isNode;
   private final List<String> lines = new ArrayList<>();
   private int count;
   private int cases;
 
-  ElementProposals(Map<String, Object> constants) {
+  /**
+   * @param isNode whether the parameters are messages of a ROS 2 node, whose lists of numbers
+   *     matter
+   */
+  ElementProposals(Map<String, Object> constants, boolean isNode) {
+    this.isNode = isNode;
     this.constants = ModelProposal.shortNames(constants);
   }
 
@@ -63,9 +69,14 @@ final class ElementProposals {
       values(path, type, enumeration.literals(), "every literal");
     } else if (type instanceof DataType.Struct struct) {
       struct(path, name, struct, depth);
-    } else if (depth == 0) {
+    } else if (depth == 0 || (isNode && hasScalars(type))) {
       values(path, type, Literals.lists(type), "empty, short and longer");
     }
+  }
+
+  private static boolean hasScalars(DataType type) {
+    return type instanceof DataType.Sequence sequence
+        && sequence.element() instanceof DataType.Scalar;
   }
 
   private void struct(String path, String name, DataType.Struct struct, int depth) {

@@ -7,24 +7,32 @@ import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
+import org.sitaf.core.description.ScalarType;
 
 /** The text of a test model for one method, with comments where a person must decide. */
-final class ModelProposal {
+public final class ModelProposal {
   /** More cases than this tell little before the ranges are checked. */
   private static final int MAX_CASES = 100;
 
   private final StringBuilder text = new StringBuilder();
   private final InterfaceDescription provided;
   private final Method method;
+  private final boolean isNode;
 
-  private ModelProposal(InterfaceDescription provided, Method method) {
+  private ModelProposal(InterfaceDescription provided, Method method, boolean isNode) {
     this.provided = provided;
     this.method = method;
+    this.isNode = isNode;
   }
 
   /** The model of a method; {@code name} is unique in the activity. */
   static String of(InterfaceDescription provided, Method method, String name) {
-    return new ModelProposal(provided, method).write(name);
+    return new ModelProposal(provided, method, false).write(name);
+  }
+
+  /** The model of a method of a ROS 2 node, whose out-parameters are its messages. */
+  public static String ofNode(InterfaceDescription provided, Method method, String name) {
+    return new ModelProposal(provided, method, true).write(name);
   }
 
   private String write(String name) {
@@ -38,8 +46,9 @@ final class ModelProposal {
             + " method="
             + Xml.attribute(method.name())
             + (overloaded ? " signature=" + Xml.attribute(method.signature()) : "")
+            + (isNode ? " settle=\"0.5\" run_for=\"1.0\"" : "")
             + "/>");
-    ElementProposals inputs = new ElementProposals(provided.constants());
+    ElementProposals inputs = new ElementProposals(provided.constants(), isNode);
     method.parameters().stream()
         .filter(p -> p.direction() != Direction.OUT)
         .forEach(p -> inputs.add(p.name(), p.type()));
@@ -73,6 +82,9 @@ final class ModelProposal {
       line(2, "<output_spec_list/>");
       return;
     }
+    if (isNode) {
+      line(2, "<!-- The last message of each topic since the call, and their number. -->");
+    }
     line(2, "<!-- Without <expected> or a post-condition, a case passes when the call returns:");
     line(
         2,
@@ -81,7 +93,12 @@ final class ModelProposal {
     if (!method.returnType().isVoid()) {
       output("return", "RETURN", method.returnType());
     }
-    out.forEach(p -> output(p.name(), "OUT", p.type()));
+    for (Parameter parameter : out) {
+      output(parameter.name(), "OUT", parameter.type());
+      if (isNode) {
+        output(parameter.name() + ".count", "OUT", new DataType.Scalar(ScalarType.INT32));
+      }
+    }
     line(2, "</output_spec_list>");
   }
 

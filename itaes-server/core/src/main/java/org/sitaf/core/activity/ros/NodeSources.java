@@ -1,32 +1,34 @@
 package org.sitaf.core.activity.ros;
 
-import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Finds message types in the sources of a node: those of {@code create_publisher} and {@code
- * create_subscription} with a literal name, and the interface packages that it imports.
+ * Finds message types in the sources of a node: those of publishers, subscriptions, clients and
+ * servers that are created with a literal name, and the interface packages that it imports.
  */
 public final class NodeSources {
   private static final int MAX_CHARACTERS = 1_000_000;
+  private static final String TYPE_AND_NAME =
+      "\\s{0,100}(?:\\w{1,20}_type\\s?=\\s?)?([\\w.]{1,200})\\s{0,100},\\s{0,100}"
+          + "(?:(?:topic|srv_name|action_name)\\s?=\\s?)?(?:'([^'\\n]{1,200})'|\"([^\"\\n]{1,200})\")";
+
+  /** {@code create_publisher(TYPE, 'NAME'}, {@code ActionServer(NODE, TYPE, 'NAME'} and others. */
   private static final Pattern CREATED =
       Pattern.compile(
-          "\\bcreate_(?:publisher|subscription)\\(\\s{0,100}(?:msg_type\\s?=\\s?)?([\\w.]{1,200})"
-              + "\\s{0,100},\\s{0,100}(?:topic\\s?=\\s?)?(?:'([^'\\n]{1,200})'|\"([^\"\\n]{1,200})\")");
-  private static final Pattern FILTERED =
-      Pattern.compile(
-          "\\bSubscriber\\(\\s{0,100}\\w{1,100},\\s{0,100}([\\w.]{1,200})\\s{0,100},\\s{0,100}"
-              + "(?:'([^'\\n]{1,200})'|\"([^\"\\n]{1,200})\")");
-  private static final Pattern CLIENT =
-      Pattern.compile(
-          "\\b(?:create_client\\(|ActionClient\\(\\s{0,100}\\w{1,100},)\\s{0,100}([\\w.]{1,200})"
-              + "\\s{0,100},\\s{0,100}(?:'([^'\\n]{1,200})'|\"([^\"\\n]{1,200})\")");
+          "\\b(create_(?:(?:lifecycle_)?publisher|subscription|client|service)\\(|"
+              + "(?:Subscriber|ActionClient|ActionServer)\\(\\s{0,100}\\w{1,100},)"
+              + TYPE_AND_NAME);
+
   private static final Pattern IMPORT =
       Pattern.compile(
           "^[ \\t]*from[ \\t]+(\\w{1,200})\\.(?:msg|srv|action)(?:\\.\\w{1,200})?[ \\t]+import[ \\t]*"
@@ -44,11 +46,12 @@ public final class NodeSources {
   private static final Pattern CPP_SOURCE =
       Pattern.compile(".*\\.(cpp|cc|cxx|c\\+\\+|C|hpp|hxx|hh|h)");
 
-  /** {@code create_publisher<TYPE>(NODE, "NAME"}, where the node may be missing. */
+  /** {@code create_publisher<TYPE>(NODE, "NAME"}, where the node may be missing or in parts. */
   private static final Pattern CPP_CREATED =
       Pattern.compile(
-          "\\bcreate_(publisher|subscription|client)\\s{0,10}<\\s{0,100}([\\w:]{1,200})[^>;]{0,100}>\\s{0,100}"
-              + "\\((?:\\s{0,100}[\\w>().-]{1,100},)?\\s{0,100}\"([^\"\\n]{1,200})\"");
+          "\\b(create_(?:publisher|subscription|client|service|server))\\s{0,10}<\\s{0,100}"
+              + "([\\w:]{1,200})[^>;]{0,100}>\\s{0,100}"
+              + "\\((?:\\s{0,100}[\\w>().-]{1,100},){0,4}\\s{0,100}\"([^\"\\n]{1,200})\"");
 
   private static final Pattern CPP_ALIAS =
       Pattern.compile(
@@ -60,6 +63,34 @@ public final class NodeSources {
           "^[ \\t]*#[ \\t]*include[ \\t]*[<\"]([a-z][a-z0-9_]{0,100})/(?:msg|srv|action)/",
           Pattern.MULTILINE);
 
+  /** What a node does with a topic, service or action. */
+  public enum Kind {
+    /** It sends messages. */
+    PUBLISHER,
+    /** It receives messages. */
+    SUBSCRIPTION,
+    /** It calls a service or action. */
+    CLIENT,
+    /** It provides a service or action. */
+    SERVER
+  }
+
+  /**
+   * A publisher, subscription, client or server.
+   *
+   * @param name of the topic, service or action, with a leading slash
+   * @param type as {@code package/Name}
+   */
+  public record Endpoint(Kind kind, String name, String type) implements Comparable<Endpoint> {
+    @Override
+    public int compareTo(Endpoint other) {
+      return Comparator.comparing(Endpoint::kind)
+          .thenComparing(Endpoint::name)
+          .thenComparing(Endpoint::type)
+          .compare(this, other);
+    }
+  }
+
   /** Types whose topics always have the same names. */
   private static final Map<String, String> FIXED =
       Map.of(
@@ -70,8 +101,7 @@ public final class NodeSources {
           "/diagnostics", "diagnostic_msgs/DiagnosticArray",
           "/parameter_events", "rcl_interfaces/ParameterEvent");
 
-  private final Map<String, SortedSet<String>> types = new HashMap<>();
-  private final Map<String, SortedSet<String>> clients = new HashMap<>();
+  private final SortedSet<Endpoint> endpoints = new TreeSet<>();
   private final SortedSet<String> packages = new TreeSet<>();
 
   /**
@@ -79,7 +109,7 @@ public final class NodeSources {
    * @param remap replaced names of the node
    * @param isCpp whether they are in C++
    */
-  NodeSources(List<String> texts, Map<String, String> remap, boolean isCpp) {
+  public NodeSources(List<String> texts, Map<String, String> remap, boolean isCpp) {
     for (String text : texts) {
       if (text.length() > MAX_CHARACTERS) {
         continue;
@@ -106,25 +136,30 @@ public final class NodeSources {
     while (used.find()) {
       packages.add(used.group(1));
     }
-    for (Pattern pattern : List.of(CREATED, FILTERED, CLIENT)) {
-      Matcher created = pattern.matcher(text);
-      while (created.find()) {
-        String written = created.group(1);
-        Matcher qualified = QUALIFIED.matcher(written);
-        String type =
-            qualified.matches()
-                ? qualified.group(1) + "/" + qualified.group(2)
-                : imported.get(written);
-        if (type != null) {
-          String topic = created.group(2) == null ? created.group(3) : created.group(2);
-          if (pattern == CLIENT) {
-            clients.computeIfAbsent(type, t -> new TreeSet<>()).add(full(topic, remap));
-          } else {
-            types.computeIfAbsent(full(topic, remap), t -> new TreeSet<>()).add(type);
-          }
-        }
+    Matcher created = CREATED.matcher(text);
+    while (created.find()) {
+      String written = created.group(2);
+      Matcher qualified = QUALIFIED.matcher(written);
+      String type =
+          qualified.matches()
+              ? qualified.group(1) + "/" + qualified.group(2)
+              : imported.get(written);
+      if (type != null) {
+        String name = created.group(3) == null ? created.group(4) : created.group(3);
+        endpoints.add(new Endpoint(kind(created.group(1)), full(name, remap), type));
       }
     }
+  }
+
+  private static Kind kind(String call) {
+    String lower = call.toLowerCase(Locale.ROOT);
+    if (lower.contains("publisher")) {
+      return Kind.PUBLISHER;
+    }
+    if (lower.contains("subscri")) {
+      return Kind.SUBSCRIPTION;
+    }
+    return lower.contains("client") ? Kind.CLIENT : Kind.SERVER;
   }
 
   private void scanCpp(String text, Map<String, String> remap) {
@@ -143,12 +178,7 @@ public final class NodeSources {
       Matcher type = CPP_TYPE.matcher(written);
       if (type.matches()) {
         String name = type.group(1) + "/" + type.group(2);
-        String topic = full(created.group(3), remap);
-        if (created.group(1).equals("client")) {
-          clients.computeIfAbsent(name, t -> new TreeSet<>()).add(topic);
-        } else {
-          types.computeIfAbsent(topic, t -> new TreeSet<>()).add(name);
-        }
+        endpoints.add(new Endpoint(kind(created.group(1)), full(created.group(3), remap), name));
       }
     }
   }
@@ -172,16 +202,29 @@ public final class NodeSources {
     String fixed = FIXED.get(topic);
     return fixed != null
         ? List.of(fixed)
-        : new ArrayList<>(types.getOrDefault(topic, new TreeSet<>()));
+        : distinct(
+            e ->
+                e.name().equals(topic)
+                    && (e.kind() == Kind.PUBLISHER || e.kind() == Kind.SUBSCRIPTION),
+            Endpoint::type);
   }
 
   /** The names of the services and actions of a type {@code package/Name} that the node calls. */
   List<String> clientsOf(String type) {
-    return List.copyOf(clients.getOrDefault(type, new TreeSet<>()));
+    return distinct(e -> e.kind() == Kind.CLIENT && e.type().equals(type), Endpoint::name);
+  }
+
+  private List<String> distinct(Predicate<Endpoint> wanted, Function<Endpoint, String> part) {
+    return endpoints.stream().filter(wanted).map(part).distinct().sorted().toList();
+  }
+
+  /** The publishers, subscriptions, clients and servers with a literal name. */
+  public List<Endpoint> endpoints() {
+    return List.copyOf(endpoints);
   }
 
   /** The interface packages that the sources import. */
-  SortedSet<String> packages() {
+  public SortedSet<String> packages() {
     return packages;
   }
 }

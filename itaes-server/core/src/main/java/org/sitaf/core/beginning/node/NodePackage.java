@@ -1,0 +1,74 @@
+package org.sitaf.core.beginning.node;
+
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.NodeSources;
+import org.sitaf.core.diagnostic.InvalidInputException;
+
+/**
+ * A ROS 2 package with a node.
+ *
+ * @param name as in {@code package.xml}
+ * @param isCpp whether the node is written in C++, otherwise in Python
+ * @param files without the results of builds
+ */
+public record NodePackage(String name, boolean isCpp, FileTree files) {
+  private static final Pattern NAME =
+      Pattern.compile("<name>\\s{0,100}([a-z][a-z0-9_]{0,100})\\s{0,100}</name>");
+
+  /**
+   * Reads a package.
+   *
+   * @param files content of the folder of {@code package.xml}
+   * @param shown how messages name the folder
+   * @param isCpp the wanted language; null if the package decides
+   * @throws InvalidInputException if it is no package, or holds nodes in both languages
+   */
+  public static NodePackage of(FileTree files, String shown, @Nullable Boolean isCpp) {
+    String manifest =
+        files
+            .text("package.xml")
+            .orElseThrow(
+                () ->
+                    InvalidInputException.of(
+                        shown, "has no package.xml; name the folder of a ROS 2 package"));
+    Matcher name = NAME.matcher(manifest);
+    if (!name.find()) {
+      throw InvalidInputException.of(shown + "/package.xml", "names no package");
+    }
+    boolean python = uses(files, false, "rclpy");
+    boolean cpp = uses(files, true, "rclcpp");
+    boolean isChosenCpp = isCpp == null ? cpp : isCpp;
+    if (isCpp == null && python && cpp) {
+      throw InvalidInputException.of(
+          shown, "holds nodes in Python and in C++; choose with --language python or cpp");
+    }
+    if (!(isChosenCpp ? cpp : python)) {
+      throw InvalidInputException.of(
+          shown,
+          "has no "
+              + (isCpp == null ? "source" : isCpp ? "C++ source" : "Python source")
+              + " that uses "
+              + (isCpp == null ? "rclpy or rclcpp" : isCpp ? "rclcpp" : "rclpy"));
+    }
+    return new NodePackage(name.group(1), isChosenCpp, files);
+  }
+
+  private static boolean uses(FileTree files, boolean isCpp, String library) {
+    return files.paths().stream()
+        .filter(path -> NodeSources.isSource(path, isCpp))
+        .anyMatch(path -> files.text(path).orElseThrow().contains(library));
+  }
+
+  /** The paths of its sources in the language of the node. */
+  List<String> sources() {
+    return files.paths().stream().filter(path -> NodeSources.isSource(path, isCpp)).toList();
+  }
+
+  String text(String path) {
+    return files.text(path).orElseThrow();
+  }
+}

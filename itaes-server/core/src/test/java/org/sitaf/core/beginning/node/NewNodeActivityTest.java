@@ -1,0 +1,222 @@
+package org.sitaf.core.beginning.node;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+
+class NewNodeActivityTest {
+  private static final String MANIFEST = "<package><name>follower</name></package>";
+  private static final FileTree INSTALLED =
+      tree(
+          Map.of(
+              "std_msgs/msg/Float64.msg", "float64 data\n",
+              "std_msgs/msg/Float64MultiArray.msg", "float64[] data\n",
+              "std_srvs/srv/SetBool.srv", "bool data\n---\nbool success\nstring message\n",
+              "demo/action/Turn.action", "float64 angle\n---\nbool done\n---\nfloat64 left\n"));
+  private static final String NODE =
+      """
+      import rclpy
+      from rclpy.node import Node
+      from rclpy.action import ActionServer
+      from std_msgs.msg import Float64, Float64MultiArray as Many
+      from std_srvs.srv import SetBool
+      from demo.action import Turn
+      from .planner import Planner
+
+      class Follower(Node):
+          def __init__(self, name='follower', **options):
+              super().__init__(name, **options)
+              self.declare_parameter('max_speed', 1.0)
+              self.out = self.create_publisher(Float64, '/robot/cmd', 10)
+              self.create_subscription(msg_type=Many, topic='goal', callback=print, qos_profile=10)
+              self.create_publisher(Float64, self.name, 10)
+              self.create_publisher(Float64, '~/state', 10)
+              self.create_service(SetBool, 'enable', print)
+              self.server = ActionServer(self, Turn, 'turn', print)
+
+      class Helper(Node):
+          def __init__(self, other):
+              pass
+      """;
+  private static final String PLANNER =
+      """
+      from std_msgs.msg import Float64
+      def plan(node):
+          node.create_subscription(Float64, 'robot/cmd', print, 10)
+          node.declare_parameter("horizon")
+      """;
+
+  private static FileTree tree(Map<String, String> files) {
+    Map<String, byte[]> contents = new HashMap<>();
+    files.forEach((path, text) -> contents.put(path, text.getBytes(StandardCharsets.UTF_8)));
+    return FileTree.of(contents);
+  }
+
+  private static FileTree python(Map<String, String> more) {
+    Map<String, String> files = new HashMap<>(more);
+    files.put("package.xml", MANIFEST);
+    files.putIfAbsent("follower/node.py", NODE);
+    files.put("follower/planner.py", PLANNER);
+    return tree(files);
+  }
+
+  private static NewNodeActivity.Proposal propose(FileTree files, @Nullable String entry) {
+    NodePackage given = NodePackage.of(files, "follower", null);
+    return new NewNodeActivity("a", given, entry, tree(Map.of()), INSTALLED).propose();
+  }
+
+  @Test
+  void takesTopicsServicesActionsAndParametersFromTheSources() {
+    NewNodeActivity.Proposal proposal = propose(python(Map.of()), null);
+
+    assertThat(proposal.files().text("activity.yaml").orElseThrow())
+        .contains(
+            "  language: ros2-python\n  sources: src/follower\n"
+                + "  class: follower.node:Follower\n",
+            "declares: horizon, max_speed.",
+            "topics:\n  /goal: input.goal\n  /robot/cmd: [input.robot_cmd,"
+                + " output.robot_cmd_output]\n",
+            "  - {type: std_srvs/srv/SetBool.srv, name: /enable}\n",
+            "  - {type: demo/action/Turn.action, name: /turn}\n");
+    assertThat(Activity.read(proposal.files(), INSTALLED).models())
+        .extracting(TestModel::name)
+        .containsExactlyInAnyOrder("Topics", "demo_Turn", "std_srvs_SetBool");
+    assertThat(proposal.files().text("Topics.xml").orElseThrow())
+        .contains("<name>goal.data</name>", "<value>[0.0, 1.0, 2.0]</value>")
+        .contains("<name>robot_cmd_output.count</name>", "run_for=\"1.0\"");
+    assertThat(proposal.notes())
+        .containsExactly(
+            "~/state depends on the name of the node; add its full name to topics",
+            "src/follower/follower/node.py creates 1 topics, services or actions whose names or"
+                + " types are no literals; the notes of a run name them");
+    assertThat(proposal.files().text("src/follower/follower/node.py")).contains(NODE);
+  }
+
+  @Test
+  void programOfSetupIsPreferredAndSeveralAreNamed() {
+    String one = "entry_points={'console_scripts': ['follow = ' 'follower.node:main']}";
+    assertThat(
+            propose(python(Map.of("setup.py", one)), null)
+                .files()
+                .text("activity.yaml")
+                .orElseThrow())
+        .contains("  main: follower.node:main\n");
+    FileTree two = python(Map.of("setup.py", one + "#'plan = follower.planner:main'"));
+    assertThatThrownBy(() -> propose(two, null))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining(
+            "follower: error: holds several nodes; choose with --class: follower.node:main,"
+                + " follower.planner:main");
+    assertThat(propose(two, "follower.planner:main").files().text("activity.yaml").orElseThrow())
+        .contains("  /robot/cmd: input.robot_cmd\n")
+        .doesNotContain("goal");
+    assertThatThrownBy(() -> propose(two, "follower.other:main"))
+        .hasMessageContaining("--class follower.other:main: error: is not in the package; it has");
+  }
+
+  @Test
+  void readsPackagesInCpp() {
+    String header =
+        """
+        #include <std_msgs/msg/float64.hpp>
+        struct Limits { std::string topic; };
+        """;
+    String node =
+        """
+        #include "follower/limits.hpp"
+        #include <rclcpp/rclcpp.hpp>
+        #include <rclcpp_action/rclcpp_action.hpp>
+        using Turn = demo::action::Turn;
+        namespace follower {
+        class Follower : public rclcpp::Node {
+          explicit Follower(const rclcpp::NodeOptions& o) : Node("follower", o) {
+            declare_parameter<double>("max_speed", 1.0);
+            pub_ = create_publisher<std_msgs::msg::Float64>("cmd", 10);
+            server_ = rclcpp_action::create_server<Turn>(
+                get_node_base_interface(), get_node_clock_interface(),
+                get_node_logging_interface(), get_node_waitables_interface(), "turn", a, b, c);
+          }
+        };
+        }
+        RCLCPP_COMPONENTS_REGISTER_NODE(follower::Follower)
+        """;
+    FileTree files =
+        tree(
+            Map.of(
+                "package.xml",
+                MANIFEST,
+                "CMakeLists.txt",
+                "project(follower)",
+                "include/follower/limits.hpp",
+                header,
+                "src/limits.cpp",
+                "void f() { create_client<std_srvs::srv::SetBool>(\"stop\"); }",
+                "src/other.cpp",
+                "create_publisher<std_msgs::msg::Float64>(\"other\", 1);",
+                "src/node.cpp",
+                node));
+
+    String profile = propose(files, null).files().text("activity.yaml").orElseThrow();
+
+    assertThat(profile)
+        .contains(
+            "language: ros2-cpp",
+            "class: follower::Follower",
+            "declares: max_speed.",
+            "topics:\n  /cmd: output.cmd\nprovided: \n  - {type: demo/action/Turn.action, name:"
+                + " /turn}\n",
+            "required: \n  - {type: std_srvs/srv/SetBool.srv, name: /stop}\n");
+  }
+
+  @Test
+  void messagesOfPackagesNextToItComeAlong() {
+    String node = NODE.replace("std_msgs.msg import Float64, ", "own_msgs.msg import Float64, ");
+    NodePackage given =
+        NodePackage.of(
+            python(Map.of("follower/node.py", node.replace("Float64MultiArray as", "Cell as"))),
+            "follower",
+            null);
+    FileTree siblings =
+        tree(
+            Map.of(
+                "own_msgs/msg/Float64.msg", "float64 data\n",
+                "own_msgs/msg/Cell.msg", "base_msgs/Number n\n",
+                "base_msgs/msg/Number.msg", "int32 n\n",
+                "other_msgs/msg/Number.msg", "int32 n\n"));
+
+    FileTree files = new NewNodeActivity("a", given, null, siblings, INSTALLED).propose().files();
+
+    assertThat(files.paths())
+        .contains("src/own_msgs/msg/Cell.msg", "src/base_msgs/msg/Number.msg")
+        .doesNotContain("src/other_msgs/msg/Number.msg");
+    assertThat(files.text("activity.yaml").orElseThrow())
+        .contains("/robot/cmd: {with: [input.robot_cmd, output.robot_cmd_output], type: ");
+  }
+
+  @Test
+  void refusesWhatIsNoPackageWithANode() {
+    assertThatThrownBy(() -> NodePackage.of(tree(Map.of()), "x/y", null))
+        .hasMessageContaining("x/y: error: has no package.xml; name the folder of a ROS 2 package");
+    FileTree empty = tree(Map.of("package.xml", MANIFEST));
+    assertThatThrownBy(() -> NodePackage.of(empty, "x", null))
+        .hasMessageContaining("x: error: has no source that uses rclpy or rclcpp");
+    assertThatThrownBy(() -> NodePackage.of(python(Map.of()), "x", true))
+        .hasMessageContaining("x: error: has no C++ source that uses rclcpp");
+    FileTree both = python(Map.of("src/a.cpp", "#include <rclcpp/rclcpp.hpp>"));
+    assertThatThrownBy(() -> NodePackage.of(both, "x", null))
+        .hasMessageContaining("choose with --language python or cpp");
+    FileTree library = python(Map.of("follower/node.py", "import rclpy\n"));
+    assertThatThrownBy(() -> propose(library, null))
+        .hasMessageContaining(
+            "follower: error: has neither a console script in setup.py, nor a script");
+  }
+}
