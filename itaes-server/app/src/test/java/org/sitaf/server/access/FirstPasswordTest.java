@@ -30,6 +30,7 @@ class FirstPasswordTest {
         SpringApplication.run(
             SitafServer.class,
             "--sitaf.data-directory=" + data,
+            "--" + ServerTest.OWN_SCHEDULER + "first-password",
             "--server.port=0",
             "--spring.grpc.server.port=0")) {
       Path file = data.resolve("first-password");
