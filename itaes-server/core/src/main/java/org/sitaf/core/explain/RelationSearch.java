@@ -17,8 +17,8 @@ final class RelationSearch {
   /** With fewer different pairs of values, tuples explain the failures. */
   private static final int MIN_PAIRS = 3;
 
-  private static final int CONFIRMATIONS = 3;
-  private static final int MAX_REFUTED = 4;
+  private static final int CONFIRMATIONS = 5;
+  private static final int MAX_REFUTED = 8;
   private static final int MAX_PARAMETERS = 30;
   private static final int MAX_ROWS = 5_000;
 
@@ -32,8 +32,9 @@ final class RelationSearch {
    * A relation.
    *
    * @param text such as {@code A == B}
+   * @param parameters the indices of its parameters
    */
-  record Relation(String text, Predicate<int[]> holds) {}
+  record Relation(String text, List<Integer> parameters, Predicate<int[]> holds) {}
 
   /** A confirmed relation with the executions that it needed. */
   record Confirmed(Relation relation, int executions) {}
@@ -74,18 +75,15 @@ final class RelationSearch {
     return Optional.empty();
   }
 
+  /**
+   * Whether further rows that fulfil the relation fail. Most of them are passing rows in which only
+   * the parameters of the relation are changed: rows that keep more of a failing one may hold its
+   * true cause.
+   */
   private boolean confirm(Relation relation) throws InterruptedException {
     int confirmed = 0;
     for (int attempt = 0; attempt < 400 && confirmed < CONFIRMATIONS; attempt++) {
-      List<Combinations.Row> failing =
-          history.failing().stream().filter(f -> relation.holds().test(f.values())).toList();
-      int[] row = failing.get(random.nextInt(failing.size())).values().clone();
-      int[] levels = history.combinations().levels();
-      for (int i = 0; i < row.length; i++) {
-        if (random.nextInt(3) > 0) {
-          row[i] = random.nextInt(levels[i]);
-        }
-      }
+      int[] row = attempt < 200 ? changedPassing(relation) : changedFailing(relation);
       if (relation.holds().test(row)
           && !history.wasExecuted(row)
           && history.combinations().invalidOf(row) == 0
@@ -109,6 +107,38 @@ final class RelationSearch {
       }
     }
     return confirmed >= CONFIRMATIONS;
+  }
+
+  /** A passing row with the values of a failing one in the parameters of the relation. */
+  private int[] changedPassing(Relation relation) {
+    List<int[]> passing = history.passingValid();
+    if (passing.isEmpty()) {
+      return changedFailing(relation);
+    }
+    int[] failing = failing(relation);
+    int[] row = passing.get(random.nextInt(passing.size())).clone();
+    for (int parameter : relation.parameters()) {
+      row[parameter] = failing[parameter];
+    }
+    return row;
+  }
+
+  private int[] changedFailing(Relation relation) {
+    int[] row = failing(relation).clone();
+    int[] levels = history.combinations().levels();
+    for (int i = 0; i < row.length; i++) {
+      if (random.nextInt(3) > 0) {
+        row[i] = random.nextInt(levels[i]);
+      }
+    }
+    return row;
+  }
+
+  /** One of the failing rows that fulfil the relation. */
+  private int[] failing(Relation relation) {
+    List<int[]> failing =
+        history.failing().stream().map(Combinations.Row::values).filter(relation.holds()).toList();
+    return failing.get(random.nextInt(failing.size()));
   }
 
   /** The relation that explains most; of several, the first. */
@@ -169,21 +199,23 @@ final class RelationSearch {
 
   private List<Relation> relations(int a, int b, List<int[]> open) {
     String names = this.names.get(a) + " %s " + this.names.get(b);
+    List<Integer> both = List.of(a, b);
     List<Relation> relations = new ArrayList<>();
     relations.add(
         new Relation(
             names.formatted("=="),
+            both,
             r ->
                 literals.get(a).get(r[a]).equals(literals.get(b).get(r[b]))
                     || number(a, r) == number(b, r)));
     if (!areNumbers(a) || !areNumbers(b)) {
       return relations;
     }
-    relations.add(new Relation(names.formatted("<"), r -> number(a, r) < number(b, r)));
-    relations.add(new Relation(names.formatted(">"), r -> number(a, r) > number(b, r)));
-    relations.add(new Relation(names.formatted("<="), r -> number(a, r) <= number(b, r)));
-    relations.add(new Relation(names.formatted(">="), r -> number(a, r) >= number(b, r)));
-    relations.add(new Relation(names.formatted("!="), r -> number(a, r) != number(b, r)));
+    relations.add(new Relation(names.formatted("<"), both, r -> number(a, r) < number(b, r)));
+    relations.add(new Relation(names.formatted(">"), both, r -> number(a, r) > number(b, r)));
+    relations.add(new Relation(names.formatted("<="), both, r -> number(a, r) <= number(b, r)));
+    relations.add(new Relation(names.formatted(">="), both, r -> number(a, r) >= number(b, r)));
+    relations.add(new Relation(names.formatted("!="), both, r -> number(a, r) != number(b, r)));
     addSums(a, b, names.formatted("+"), 1, open, relations);
     addSums(a, b, names.formatted("-"), -1, open, relations);
     return relations;
@@ -192,6 +224,7 @@ final class RelationSearch {
   /** Sums and differences compared with a constant or, for sums, with a third parameter. */
   private void addSums(
       int a, int b, String text, int sign, List<int[]> open, List<Relation> relations) {
+    List<Integer> both = List.of(a, b);
     Predicate<int[]> finite = r -> Double.isFinite(number(a, r) + sign * number(b, r));
     double highestPassing = Double.NEGATIVE_INFINITY;
     double lowestPassing = Double.POSITIVE_INFINITY;
@@ -224,28 +257,33 @@ final class RelationSearch {
     for (double sum : equal.stream().sorted().limit(20).toList()) {
       relations.add(
           new Relation(
-              text + " == " + constant(sum), r -> number(a, r) + sign * number(b, r) == sum));
+              text + " == " + constant(sum), both, r -> number(a, r) + sign * number(b, r) == sum));
     }
     if (above < Double.POSITIVE_INFINITY) {
       double least = above;
       relations.add(
           new Relation(
-              text + " >= " + constant(least), r -> number(a, r) + sign * number(b, r) >= least));
+              text + " >= " + constant(least),
+              both,
+              r -> number(a, r) + sign * number(b, r) >= least));
     }
     if (below > Double.NEGATIVE_INFINITY) {
       double largest = below;
       relations.add(
           new Relation(
               text + " <= " + constant(largest),
+              both,
               r -> number(a, r) + sign * number(b, r) <= largest));
     }
     for (int c = 0; sign > 0 && c < names.size(); c++) {
       if (c != a && c != b && areNumbers(c)) {
         int third = c;
         String name = names.get(c);
-        relations.add(new Relation(text + " == " + name, r -> sum(a, b, r) == number(third, r)));
-        relations.add(new Relation(text + " > " + name, r -> sum(a, b, r) > number(third, r)));
-        relations.add(new Relation(text + " < " + name, r -> sum(a, b, r) < number(third, r)));
+        List<Integer> all = List.of(a, b, c);
+        relations.add(
+            new Relation(text + " == " + name, all, r -> sum(a, b, r) == number(third, r)));
+        relations.add(new Relation(text + " > " + name, all, r -> sum(a, b, r) > number(third, r)));
+        relations.add(new Relation(text + " < " + name, all, r -> sum(a, b, r) < number(third, r)));
       }
     }
   }

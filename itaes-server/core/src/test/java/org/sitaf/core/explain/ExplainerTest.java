@@ -36,6 +36,10 @@ class ExplainerTest {
             + "</input_spec_list>"
             + conditions
             + "<order_of_combinations>2</order_of_combinations></test_model>";
+    return read(document);
+  }
+
+  private static TestModel read(String document) {
     return TestModelXml.read(new ByteArrayInputStream(document.getBytes(UTF_8)), "M.xml");
   }
 
@@ -118,6 +122,48 @@ class ExplainerTest {
     }
     int others = 6 * explanation.causes().size();
     assertThat(explanation.executions()).isLessThanOrEqualTo(MAX_OF_BOUNDARY + others);
+  }
+
+  /** The rows that two tuples cause happen to have the largest sums of two other inputs. */
+  @Test
+  void aSumThatOnlyFailingRowsOfTheSuiteExceedIsNoCause() throws InterruptedException {
+    String input =
+        "<test_element abstract_type='NUMERIC' real_type='int'><name>%s</name><type>TDI</type>"
+            + "<user_value_list>%s</user_value_list></test_element>";
+    int[][] values = {
+      {15, 11, 0, 17}, {15, 8, 6}, {19, 11, 14, 18}, {2, 7, 3}, {15, 6}, {6, 15, 0}, {11, 2, 3}
+    };
+    StringBuilder inputs = new StringBuilder();
+    for (int i = 0; i < values.length; i++) {
+      StringBuilder list = new StringBuilder();
+      for (int value : values[i]) {
+        list.append("<value>").append(value).append("</value>");
+      }
+      inputs.append(input.formatted("p" + i, list));
+    }
+    TestModel model =
+        read(
+            "<test_model><name>M</name><target interface='I' method='m'/><input_spec_list>"
+                + inputs
+                + "</input_spec_list>"
+                + "<order_of_combinations>2</order_of_combinations></test_model>");
+
+    Explanation explanation =
+        explain(
+            model,
+            v ->
+                v[1] == 8 && v[3] == 3
+                    || v[6] == 3
+                    || v[3] == 2 && v[5] == 0
+                    || v[0] == 11 && v[1] == 6);
+
+    assertThat(explanation.causes()).allMatch(c -> c.relation() == null);
+    assertThat(explanation.causes().stream().map(Cause::parameters))
+        .containsExactlyInAnyOrder(
+            Map.of("p1", "8", "p3", "3"),
+            Map.of("p6", "3"),
+            Map.of("p3", "2", "p5", "0"),
+            Map.of("p0", "11", "p1", "6"));
   }
 
   @Test
