@@ -11,5 +11,5 @@ if command -v clang-format >/dev/null; then
 fi
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
-g++ -std=c++17 -O0 -Wall -Wextra -Werror -Iinclude -Isrc "-DSITAF_COMPLIANCE=\"$PWD/../../tests/compliance\"" tests/*.cpp src/suite/*.cpp src/simulation/passing_time.cpp -lexpat -pthread -o "$build/tests"
+g++ -std=c++17 -O0 -Wall -Wextra -Werror -Iinclude -Isrc "-DSITAF_COMPLIANCE=\"$PWD/../../tests/compliance\"" tests/*.cpp src/suite/*.cpp src/simulation/passing_time.cpp src/runtime/watched_ports.cpp -lexpat -pthread -o "$build/tests"
 "$build/tests"

@@ -105,7 +105,12 @@ def test_a_base_that_comes_too_near_violates_a_condition_over_rays(sitaf, tmp_pa
     assert passed == 0
     names = (tmp_path / "signals" / "1.csv").read_text().splitlines()[0].split(",")
     # All rays, because a condition looks at the smallest.
-    assert sum(name.startswith("lidar.ranges[") for name in names) == 181
+    rays = [name for name in names if name.startswith("lidar.ranges[")]
+    assert rays == [f"lidar.ranges[{ray}]" for ray in range(181)]
+    # The component reports in its data port that it went too far.
+    assert re.search(r"never goes too far: broken at [0-9.]+ s: remaining is -0\.0[0-9]+", run.stdout), run.stdout
+    assert "remaining" in names
+    assert "arrives" not in run.stdout
 
 
 def test_a_ray_that_does_not_exist_is_an_error_of_the_model(sitaf, tmp_path):

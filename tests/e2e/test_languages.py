@@ -156,6 +156,38 @@ def test_nonblocking_calls_and_data_ports_are_the_same_in_every_language(sitaf, 
     assert results(sitaf, arm(sitaf, tmp_path, language), *MODELS) == arm_in_java
 
 
+CONDITIONS_OVER_PORTS = """</post_condition_spec_list>
+  <trajectory_condition_spec_list>
+    <trajectory_condition name="limited">always(most == 6.0)</trajectory_condition>
+    <trajectory_condition name="swings once">eventually(always(state.swings == 1.0))</trajectory_condition>
+    <trajectory_condition name="never swings">always(state.swings == 0.0)</trajectory_condition>
+  </trajectory_condition_spec_list>"""
+
+
+@pytest.mark.parametrize("tested", LANGUAGES)
+def test_conditions_over_time_see_data_ports_in_every_language(sitaf, tmp_path, tested):
+    if tested == "cpp" and WITHOUT_CPP:
+        pytest.skip("needs ./sitaf doctor --install cpp")
+    folder = arm(sitaf, tmp_path / "arm", tested)
+    replace(folder / "Swing.xml", "</post_condition_spec_list>", CONDITIONS_OVER_PORTS)
+    run = sitaf("run", folder, "--model", "Swing", "--result", tmp_path / "result.xml", "--signals", tmp_path / "signals")
+    assert run.returncode == 1, run.stdout + run.stderr
+    judged = {}
+    for result in ElementTree.parse(tmp_path / "result.xml").getroot().iter("test_result"):
+        conditions = {c.attrib["name"]: (c.attrib["verdict"], c.attrib["at"]) for c in result.findall("trajectory")}
+        judged[result.findall("value")[2].text] = conditions
+        if conditions and conditions["never swings"][0] == "FAIL":
+            rows = [row.split(",") for row in (tmp_path / "signals" / f"{result.attrib['no']}.csv").read_text().splitlines()]
+            swings, most, time = (rows[0].index(name) for name in ("state.swings", "most", "t"))
+            since = float(conditions["never swings"][1])
+            assert {(row[swings], row[most]) for row in rows[1:] if float(row[time]) >= since} == {("1", "6")}
+            assert all(row[swings] == "0" for row in rows[1:] if float(row[time]) < since)
+    # The clock takes time in one case, so the swing begins later.
+    assert judged["2.0"]["limited"][0] == judged["2.0"]["swings once"][0] == "PASS"
+    assert judged["2.0"]["never swings"] == ("FAIL", "0.0")
+    assert judged["!delay:0.25 3.5"]["never swings"] == ("FAIL", "0.25")
+
+
 @pytest.mark.parametrize("spoilt", LANGUAGES)
 def test_a_call_that_never_ends_is_an_error_and_the_next_case_runs(sitaf, tmp_path, spoilt):
     if spoilt == "cpp" and WITHOUT_CPP:

@@ -8,8 +8,10 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "sitaf/runtime/component.hpp"
+#include "sitaf/runtime/watched_ports.hpp"
 #include "sitaf/suite/case_result.hpp"
 #include "suite/results_file.hpp"
 #include "suite/suite_reader.hpp"
@@ -337,4 +339,29 @@ TEST_CASE("a data port is read from a method, a getter or a member") {
   CHECK(sitaf::runtime::dataPort(sender, SITAF_METHOD(speed), SITAF_METHOD(getSpeed), SITAF_MEMBER(speed)) == 1.5);
   CHECK(sitaf::runtime::dataPort(sender, SITAF_METHOD(count), SITAF_METHOD(getCount), SITAF_MEMBER(count)) == 3);
   CHECK(sitaf::runtime::dataPort(sender, SITAF_METHOD(path), SITAF_METHOD(getPath), SITAF_MEMBER(path)).size() == 1);
+}
+
+TEST_CASE("only changes of a watched port are recorded, with the last value of each time") {
+  using std::chrono::nanoseconds;
+  sitaf::runtime::WatchedPorts ports;
+  std::vector<std::string> values{"0.0", "0.0", "1.0", "2.0", "2.0", "0.0"};
+  std::size_t at = 0;
+  ports.watch(
+      "speed", [&] { return values.at(at++); }, nanoseconds(10));
+  for (const int now : {20, 30, 30, 40, 50}) {
+    ports.take(nanoseconds(now));
+  }
+  ports.requireRead();
+  const sitaf::suite::TestCase testCase = oneCase({}, {});
+  sitaf::suite::CaseResult result(testCase);
+  ports.writeTo(result, nanoseconds(30));
+  CHECK(
+      result.line().find("<port name=\"speed\" left_out=\"0\"><at ns=\"-20\">0.0</at><at ns=\"0\">2.0</at><at ns=\"20\">0.0</at></port>") !=
+      std::string::npos);
+  // What the port throws is thrown later, because the component may be running.
+  ports.take(nanoseconds(60));
+  CHECK_THROWS_AS(ports.requireRead(), std::out_of_range);
+  ports.clear();
+  ports.take(nanoseconds(70));
+  ports.requireRead();
 }

@@ -12,6 +12,7 @@
 #include "runtime/thrown.hpp"
 #include "sitaf/runtime/sequence_driver.hpp"
 #include "sitaf/runtime/suite_driver.hpp"
+#include "sitaf/runtime/watched_ports.hpp"
 #include "suite/results_file.hpp"
 #include "suite/suite_reader.hpp"
 
@@ -66,6 +67,7 @@ class TestRun::State {
       simulation.emplace(*command.bridge, *command.world, command.seed, stopwatch);
       currentHardware = &simulation->hardware();
       stopwatch.beforeCall([this] { simulation->callBegins(); });
+      simulation->beforeTimePasses([this](std::chrono::nanoseconds now) { ports.take(now); });
       if (command.caseTime) {
         simulation->limitCases(*command.caseTime);
       }
@@ -80,12 +82,17 @@ class TestRun::State {
 
   void save(suite::CaseResult& result) {
     if (repeating_) {
+      ports.clear();
       requireSimulator();
       return;
     }
     if (simulation && (stopwatch.wasStarted() || inSequence_)) {
       simulation->keepSignals(suite.current().no());
     }
+    if (simulation) {
+      ports.writeTo(result, simulation->now() - simulation->sinceCall());
+    }
+    ports.clear();
     requireSimulator();
     if (addition) {
       addition(result);
@@ -251,6 +258,7 @@ class TestRun::State {
   suite::ResultsFile results;
   std::optional<simulation::Simulation> simulation;
   std::function<void(suite::CaseResult&)> addition;
+  WatchedPorts ports;
 };
 
 simulation::Simulation& TestRun::simulation() {
@@ -270,6 +278,19 @@ suite::Upcoming& TestRun::upcoming() { return state_.suite; }
 
 void TestRun::beforeSaving(std::function<void(suite::CaseResult&)> addition) { state_.addition = std::move(addition); }
 
+void TestRun::watch(std::string signal, std::function<std::string()> read) {
+  if (state_.simulation) {
+    state_.ports.watch(std::move(signal), std::move(read), state_.simulation->now());
+  }
+}
+
+void TestRun::readPorts() {
+  if (state_.simulation) {
+    state_.ports.take(state_.simulation->now());
+    state_.ports.requireRead();
+  }
+}
+
 void TestRun::save(suite::CaseResult& result) { state_.save(result); }
 
 bool TestRun::runStep(Sequence& sequence, const suite::TestStep& step) { return state_.runStep(sequence, step); }
@@ -277,6 +298,7 @@ bool TestRun::runStep(Sequence& sequence, const suite::TestStep& step) { return 
 void TestRun::endSteps() { state_.stopwatch.reset(); }
 
 void Driver::saveSequence(suite::CaseResult& result) {
+  run_.readPorts();
   run_.save(result);
   saved_ = true;
 }
@@ -288,6 +310,7 @@ bool Driver::runAndSave(const suite::TestCase& testCase, suite::CaseResult& resu
 }
 
 void Driver::save(suite::CaseResult& result) {
+  run_.readPorts();
   const Stopwatch& watch = run_.stopwatch();
   result.setTime(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
   run_.save(result);

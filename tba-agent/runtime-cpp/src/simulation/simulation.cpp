@@ -217,6 +217,10 @@ class Simulation::Session : public Simulator {
     }
   }
 
+  void beforeTimePasses(std::function<void(std::chrono::nanoseconds)> look) { beforeTimePasses_ = std::move(look); }
+
+  std::chrono::nanoseconds now() const { return world_.time(); }
+
   std::chrono::nanoseconds sinceCall() const { return world_.time() - callTime_; }
 
   void set(const std::string& parameter, double value) {
@@ -326,6 +330,9 @@ class Simulation::Session : public Simulator {
   }
 
   void step(std::uint64_t steps) {
+    if (beforeTimePasses_) {
+      beforeTimePasses_(world_.time());
+    }
     updateSession();
     wire::StepSimulationRequest request;
     request.set_session_id(created_.session_id());
@@ -418,6 +425,7 @@ class Simulation::Session : public Simulator {
   FrozenWorld world_;
   SimulatedHardware hardware_;
   std::optional<Lease> lease_;
+  std::function<void(std::chrono::nanoseconds)> beforeTimePasses_;
   PassingTime time_;
   std::recursive_mutex acting_;
   std::string recording_;
@@ -469,6 +477,10 @@ void Simulation::record(const std::string& folder) { session_->record(folder); }
 void Simulation::caseBegins(int no) { session_->caseBegins(no); }
 
 void Simulation::callBegins() { session_->callBegins(); }
+
+void Simulation::beforeTimePasses(std::function<void(std::chrono::nanoseconds)> look) { session_->beforeTimePasses(std::move(look)); }
+
+std::chrono::nanoseconds Simulation::now() const { return session_->now(); }
 
 std::chrono::nanoseconds Simulation::sinceCall() const { return session_->sinceCall(); }
 

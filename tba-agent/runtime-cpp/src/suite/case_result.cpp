@@ -95,6 +95,9 @@ std::string CaseResult::line() const {
     line.actual(output, literal);
   }
   line.calls(calls_);
+  for (const PortChanges& port : ports_) {
+    line.port(port);
+  }
   if (timed_) {
     line.time(component_, hardware_, stub_);
   }

@@ -116,6 +116,18 @@ void RecordLine::calls(const StubCalls& calls) {
   }
 }
 
+void RecordLine::port(const PortChanges& port) {
+  xml_ += "<port name=\"";
+  escape(port.signal);
+  xml_ += "\" left_out=\"" + std::to_string(port.leftOut) + "\">";
+  for (const auto& [time, literal] : port.changes) {
+    xml_ += "<at ns=\"" + std::to_string(time.count()) + "\">";
+    escape(literal);
+    xml_ += "</at>";
+  }
+  xml_ += "</port>";
+}
+
 void RecordLine::message(std::string_view text) {
   if (text.size() <= maxMessageLength) {
     element("message", "", text);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sitaf/suite/outcome.hpp"
+#include "sitaf/suite/port_changes.hpp"
 #include "sitaf/suite/stub_call.hpp"
 #include "sitaf/suite/test_case.hpp"
 
@@ -30,6 +31,9 @@ class RecordLine {
 
   /// The calls of the component to its required interfaces.
   void calls(const StubCalls& calls);
+
+  /// The values of an output data port.
+  void port(const PortChanges& port);
 
   /// In microseconds.
   void time(double component, double hardware, double stub);

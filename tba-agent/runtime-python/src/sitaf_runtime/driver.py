@@ -10,6 +10,8 @@ from sitaf_runtime import component as components
 from sitaf_runtime.hooks import Hooks
 from sitaf_runtime.nonblocking import NonblockingCall
 from sitaf_runtime.stopwatch import Stopwatch
+from sitaf_runtime.suite import literals
+from sitaf_runtime.suite.kinds import Kind
 from sitaf_runtime.suite.result import CaseResult, Outcome
 from sitaf_runtime.suite.test_case import TestCase
 
@@ -91,6 +93,10 @@ class SuiteDriver(ABC, Generic[C]):
         self._pending = nonblocking
         return nonblocking
 
+    def watch(self, signal: str, read: Callable[[], Any], kind: Kind[Any]) -> None:
+        """Record the value of an output data port, or of a part of it, whenever it changes in this case."""
+        self._run.watch(signal, lambda: literals.write(kind.shaped(read())))
+
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """Make and measure the call under test, and return its value."""
         watch = self._run.stopwatch
@@ -106,11 +112,13 @@ class SuiteDriver(ABC, Generic[C]):
         too_long = self._run.took_too_long
         if too_long:
             result.end_with(Outcome.ERROR, too_long)
+        self._run.read_ports()
         self._run.save(result)
         self._saved = True
 
     def save_sequence(self, result: CaseResult) -> None:
         """Write the end of a sequence, whose steps have their own times."""
+        self._run.read_ports()
         self._run.save(result)
         self._saved = True
 

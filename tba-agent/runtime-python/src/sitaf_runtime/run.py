@@ -22,6 +22,7 @@ from sitaf_runtime import case_streams, debugging
 from sitaf_runtime.command_line import CommandLine, Repetition
 from sitaf_runtime.driver import SuiteDriver
 from sitaf_runtime.errors import CannotRunError, CaseDataError, SimulationError
+from sitaf_runtime.ports import WatchedPorts
 from sitaf_runtime.robot.hardware import set_current
 from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.stub import Stubbing
@@ -67,6 +68,9 @@ class TestRun:
             self.stopwatch.before_call(self._simulation.call_begins)
             if command.recording is not None:
                 self._simulation.record(command.recording)
+        self.ports = WatchedPorts()
+        if self._simulation is not None:
+            self._simulation.before_time_passes(self.ports.take)
         debugging.stop_in_calls(self.stopwatch)
         self.stubbing = Stubbing(self.stopwatch, self._simulation)
 
@@ -92,13 +96,26 @@ class TestRun:
 
         Raises SimulationError when the simulator was lost, because later measurements are invalid.
         """
+        ports = [] if self._simulation is None else self.ports.end(self._simulation.call_ns)
         self._keep_signals()
         self._require_simulator()
         if self._repeating:
             return
         result.set_calls(self.stubbing.calls, self.stubbing.left_out)
+        result.set_ports(ports)
         if self._repetition is None:
             self.results.save(result)
+
+    def watch(self, signal: str, read: Callable[[], str]) -> None:
+        """Record the value of an output data port, which `read` returns, until the end of the case."""
+        if self._simulation is not None:
+            self.ports.watch(signal, read, self._simulation.now_ns)
+
+    def read_ports(self) -> None:
+        """Record the values of the output data ports now. Raises what a port raised in this case."""
+        if self._simulation is not None:
+            self.ports.take(self._simulation.now_ns)
+            self.ports.require_read()
 
     def _keep_signals(self) -> None:
         """Let the simulator keep the signals of the current case, if it was called."""

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "sitaf/runtime/component.hpp"
 #include "sitaf/runtime/nonblocking_call.hpp"
 #include "sitaf/runtime/test_run.hpp"
+#include "sitaf/suite/literals.hpp"
+#include "sitaf/suite/value.hpp"
 
 namespace sitaf::runtime {
 
@@ -52,6 +56,18 @@ class Driver {
   void saveSequence(suite::CaseResult& result);
 
   TestRun& run() { return run_; }
+
+  /// Records an output data port, or a part of it, whenever it changes in this case.
+  template <class Read>
+  void watch(std::string signal, Read read) {
+    run_.watch(std::move(signal), [read]() -> std::string {
+      try {
+        return suite::literals::write(suite::valueOf(read()));
+      } catch (const std::out_of_range&) {
+        return "null";
+      }
+    });
+  }
 
   /// Starts a nonblocking call; it is measured on its own thread.
   template <class Call>

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "sitaf/hardware.hpp"
 #include "sitaf/runtime/cannot_run.hpp"
@@ -56,6 +57,12 @@ class TestRun {
 
   /// Registers a function that completes each result before it is saved.
   void beforeSaving(std::function<void(suite::CaseResult&)> addition);
+
+  /// Records the value of an output data port, which `read` returns as a literal, until the end of the case.
+  void watch(std::string signal, std::function<std::string()> read);
+
+  /// Records the values of the output data ports now; throws what a port threw in this case.
+  void readPorts();
 
   /// Writes a result to the results file.
   void save(suite::CaseResult& result);

@@ -83,6 +83,12 @@ class Simulation {
   /// The call under test begins now. Only the first one of a case counts.
   void callBegins();
 
+  /// Calls `look` with the time whenever it is about to pass.
+  void beforeTimePasses(std::function<void(std::chrono::nanoseconds)> look);
+
+  /// Simulation time, also of the settling.
+  std::chrono::nanoseconds now() const;
+
   /// Simulation time since the first call of the case.
   std::chrono::nanoseconds sinceCall() const;
 

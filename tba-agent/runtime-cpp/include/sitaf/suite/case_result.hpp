@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sitaf/suite/outcome.hpp"
+#include "sitaf/suite/port_changes.hpp"
 #include "sitaf/suite/stub_call.hpp"
 #include "sitaf/suite/test_case.hpp"
 #include "sitaf/suite/value.hpp"
@@ -52,6 +53,9 @@ class CaseResult {
   /// Sets the calls of the component to its required interfaces.
   void setCalls(StubCalls calls) { calls_ = std::move(calls); }
 
+  /// Adds the values of an output data port during the case, with times since the call.
+  void addPort(PortChanges port) { ports_.push_back(std::move(port)); }
+
   /// Ends the case with an exception of the call under test; `type` is its name without its scope.
   void threw(const std::string& type, std::string_view description);
 
@@ -89,6 +93,7 @@ class CaseResult {
   std::string thrown_;
   std::string message_;
   StubCalls calls_;
+  std::vector<PortChanges> ports_;
   bool repeated_ = false;
   std::vector<std::int64_t> repeatedNanos_;
   std::string differs_;

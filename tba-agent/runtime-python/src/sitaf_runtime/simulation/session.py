@@ -98,6 +98,7 @@ class Simulation:
         self._call_ns = 0
         self._called = False
         self._case_no = 0
+        self._before_time_passes: Callable[[int], None] = lambda _: None
         if self._keeps_signals:
             self._ahead.stop()
         self._limit_ns = None if limit_s is None else round(limit_s * _NANOS)
@@ -223,6 +224,20 @@ class Simulation:
             self._called = True
             self._call_ns = self._hardware.world.time_ns
 
+    def before_time_passes(self, look: Callable[[int], None]) -> None:
+        """Call `look` with the simulation time whenever it is about to pass."""
+        self._before_time_passes = look
+
+    @property
+    def now_ns(self) -> int:
+        """Simulation time, also of the settling."""
+        return self._hardware.world.time_ns
+
+    @property
+    def call_ns(self) -> int:
+        """When the first call of the case began, in the time of `now_ns`."""
+        return self._call_ns
+
     @property
     def since_call_ns(self) -> int:
         """Simulation time since the first call of the case."""
@@ -314,6 +329,7 @@ class Simulation:
         self._time.let_pass(time_ns)
 
     def _step(self, steps: int) -> None:
+        self._before_time_passes(self.now_ns)
         self._update_session()
         self._spend(steps * self._timestep_ns)
         commands = self._pending.take()

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from sitaf_runtime.ports import PortChanges
 from sitaf_runtime.suite import channel, literals
 from sitaf_runtime.suite.calls import StubCall
 from sitaf_runtime.suite.kinds import Kind
@@ -51,6 +52,7 @@ class CaseResult:
         "_message",
         "_notes",
         "_outcome",
+        "_ports",
         "_repeated_ns",
         "_thrown",
         "_time",
@@ -69,6 +71,7 @@ class CaseResult:
         self._repeated_ns: list[int] | None = None
         self._differs = ""
         self._at_ns = 0
+        self._ports: Sequence[PortChanges] = ()
 
     def began_at(self, at_ns: int) -> None:
         """Set when a step began: simulation time in nanoseconds since the first step of the case."""
@@ -82,6 +85,10 @@ class CaseResult:
         """Set the calls of the component to its required interfaces, and how many further calls were not recorded."""
         self._calls = calls
         self._calls_left_out = left_out
+
+    def set_ports(self, ports: Sequence[PortChanges]) -> None:
+        """Set the values of the output data ports during the case."""
+        self._ports = ports
 
     def record(self, output: str, value: Any, kind: Kind[Any]) -> None:
         """Record the value of an output."""
@@ -163,6 +170,7 @@ class CaseResult:
         parts += [_call(call) for call in self._calls]
         if self._calls_left_out:
             parts.append(f"<calls_left_out>{self._calls_left_out}</calls_left_out>")
+        parts += [_port(port) for port in self._ports]
         if self._time is not None:
             component, hardware, stub = self._time
             parts.append(
@@ -259,6 +267,11 @@ def _value(element: str, name: str, literal: str) -> str:
 def _call(call: StubCall) -> str:
     arguments = "".join(_value("argument", name, literal) for name, literal in call.arguments.items())
     return f'<call method="{_escaped(call.method)}">{arguments}</call>'
+
+
+def _port(port: PortChanges) -> str:
+    changes = "".join(f'<at ns="{at}">{_escaped(literal)}</at>' for at, literal in port.changes)
+    return f'<port name="{_escaped(port.signal)}" left_out="{port.left_out}">{changes}</port>'
 
 
 def _cut(text: str) -> str:

@@ -19,6 +19,7 @@ public final class WallApproach {
   private final LaserScanner lidar;
   private final ContactSensor bumper;
   private final Hardware hardware;
+  private double remaining;
 
   public WallApproach(Hardware hardware) {
     this.hardware = hardware;
@@ -30,11 +31,13 @@ public final class WallApproach {
   public boolean Approach(double distance) {
     Duration end = hardware.time().plus(LONGEST);
     while (hardware.time().compareTo(end) < 0 && ahead() > distance - TOO_CLOSE) {
+      remaining = ahead() - distance;
       base.drive(FASTEST, 0);
       hardware.sleep(PERIOD);
     }
     while (hardware.time().compareTo(end) < 0 && !bumper.isPressed()) {
       double left = distance - ahead();
+      remaining = -left;
       if (left < CLOSE_ENOUGH) {
         base.drive(0, 0);
         return true;
@@ -44,6 +47,11 @@ public final class WallApproach {
     }
     base.drive(0, 0);
     return false;
+  }
+
+  /** The output data port: the distance that is left, in metres. */
+  public double remaining() {
+    return remaining;
   }
 
   /** The reading of the middle ray, in metres from the mast. */

@@ -18,6 +18,7 @@ public final class WallApproach {
   private final LaserScanner lidar;
   private final ContactSensor bumper;
   private final Hardware hardware;
+  private double remaining;
 
   public WallApproach(Hardware hardware) {
     this.hardware = hardware;
@@ -30,6 +31,7 @@ public final class WallApproach {
     Duration end = hardware.time().plus(LONGEST);
     while (hardware.time().compareTo(end) < 0 && !bumper.isPressed()) {
       double left = ahead() - distance;
+      remaining = left;
       if (left < CLOSE_ENOUGH) {
         base.drive(0, 0);
         return true;
@@ -39,6 +41,11 @@ public final class WallApproach {
     }
     base.drive(0, 0);
     return false;
+  }
+
+  /** The output data port: the distance that is left, in metres. */
+  public double remaining() {
+    return remaining;
   }
 
   /** The reading of the middle ray, in metres from the mast. */

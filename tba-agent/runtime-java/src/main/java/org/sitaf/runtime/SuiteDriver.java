@@ -1,6 +1,5 @@
 package org.sitaf.runtime;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -101,6 +100,11 @@ public abstract class SuiteDriver<C> {
     return DataPort.read(instance, port);
   }
 
+  /** Records an output data port, or the part that {@code signal} names, when it changes. */
+  protected final void watch(String signal, Callable<?> read) throws Exception {
+    run.watch(signal, () -> CaseResult.literalOfPart(signal, read.call()));
+  }
+
   /** Starts a nonblocking call of the component; it is measured on its own thread. */
   protected final <T> NonblockingCall<T> callNonblocking(Callable<T> call) {
     NonblockingCall<T> nonblocking =
@@ -115,7 +119,8 @@ public abstract class SuiteDriver<C> {
   }
 
   /** Writes the result of the case, with the time of its call, to the results file. */
-  protected final void save(CaseResult result) throws IOException {
+  protected final void save(CaseResult result) throws Exception {
+    run.readPorts();
     Stopwatch watch = run.stopwatch();
     result.setTime(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
     run.save(result);
@@ -123,7 +128,8 @@ public abstract class SuiteDriver<C> {
   }
 
   /** Writes the end of a sequence, whose steps have their own times. */
-  final void saveSequence(CaseResult result) throws IOException {
+  final void saveSequence(CaseResult result) throws Exception {
+    run.readPorts();
     run.save(result);
     saved = true;
   }

@@ -5,8 +5,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.component.WatchedPorts;
 import org.sitaf.runtime.output.CaseStreams;
 import org.sitaf.runtime.simulation.CaseTooLongException;
 import org.sitaf.runtime.simulation.Simulation;
@@ -40,6 +42,7 @@ public final class TestRun {
   private boolean inSequence;
 
   private final Stopwatch stopwatch = new Stopwatch();
+  private final WatchedPorts ports = new WatchedPorts();
   private final CommandLine command;
   private final SuiteReader suite;
   private final ResultsFile results;
@@ -63,6 +66,7 @@ public final class TestRun {
     this.stubbing = new Stubbing(stopwatch, simulation);
     if (simulation != null) {
       stopwatch.beforeCall(simulation::callBegins);
+      simulation.beforeTimePasses(ports::take);
     }
     Path recording = command.recording();
     if (recording != null && simulation != null) {
@@ -152,9 +156,25 @@ public final class TestRun {
     return simulation;
   }
 
+  /** Records the value of an output data port until the end of the case. */
+  void watch(String signal, Callable<String> read) throws Exception {
+    if (simulation != null) {
+      ports.watch(signal, read, simulation.nowNanos());
+    }
+  }
+
+  /** Records the values of the output data ports now; throws what a port threw in this case. */
+  void readPorts() throws Exception {
+    if (simulation != null) {
+      ports.take(simulation.nowNanos());
+      ports.requireRead();
+    }
+  }
+
   /** Writes the record of a case with the calls of its stubs. */
   void save(CaseResult result) throws IOException {
     if (repeating) {
+      ports.clear();
       if (simulation != null) {
         simulation.requireNotLost();
       }
@@ -164,6 +184,8 @@ public final class TestRun {
       if (stopwatch.wasStarted() || inSequence) {
         simulation.keepSignals(currentNo);
       }
+      ports.writeTo(result, simulation.nowNanos() - simulation.sinceCall());
+      ports.clear();
       simulation.requireNotLost();
     }
     stubbing.writeTo(result);

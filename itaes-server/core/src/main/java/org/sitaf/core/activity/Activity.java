@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ros.MessageSignals;
@@ -16,10 +17,12 @@ import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
@@ -168,6 +171,26 @@ public record Activity(
   /** The numbers in messages that trajectory conditions can use; none without a ROS 2 node. */
   public List<String> messageSignals() {
     return ros == null ? List.of() : MessageSignals.of(ros.messages());
+  }
+
+  /** The names of all signals that are single values, for the trajectory conditions of a model. */
+  public List<String> signals(TestModel model) {
+    List<String> all = new ArrayList<>(world == null ? List.of() : WorldSignals.of(world));
+    all.addAll(messageSignals());
+    all.addAll(PortSignals.of(outputPorts));
+    if (model.sequence() != null && !all.contains(SequenceSpec.STEP)) {
+      all.add(SequenceSpec.STEP);
+    }
+    return all;
+  }
+
+  /** The signals that are lists of numbers, with their lengths. */
+  public Map<String, Integer> signalLists() {
+    Map<String, Integer> lists = new TreeMap<>(PortSignals.lists(outputPorts));
+    if (world != null) {
+      lists.putAll(WorldSignals.lists(world));
+    }
+    return lists;
   }
 
   /**

@@ -2,8 +2,10 @@ package org.sitaf.core.activity;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -310,11 +312,21 @@ final class ModelAgainstActivity {
     } else if (world != null) {
       TrajectoryConditions.compile(
           model,
-          Stream.concat(WorldSignals.of(world).stream(), messageSignals.stream()).toList(),
-          WorldSignals.lists(world),
+          Stream.of(WorldSignals.of(world), messageSignals, PortSignals.of(outputPorts))
+              .flatMap(List::stream)
+              .toList(),
+          lists(),
           profile.limits().caseSimulation().toNanos() / 1e9,
           diagnostics);
     }
+  }
+
+  private Map<String, Integer> lists() {
+    Map<String, Integer> lists = new TreeMap<>(PortSignals.lists(outputPorts));
+    if (world != null) {
+      lists.putAll(WorldSignals.lists(world));
+    }
+    return lists;
   }
 
   private void observed(OutputElement output, String where) {

@@ -19,6 +19,7 @@ import org.sitaf.core.timing.RepeatedCalls;
  * @param notes what the component did that the test does not look at
  * @param message describes the exception or the reason; empty if the call returned
  * @param steps the steps of a sequence that ended, in their order; empty if the case is one call
+ * @param ports values of the output data ports that trajectory conditions use
  */
 public record CaseRecord(
     int no,
@@ -30,7 +31,8 @@ public record CaseRecord(
     @Nullable RepeatedCalls repeated,
     String message,
     List<String> notes,
-    List<StepRecord> steps) {
+    List<StepRecord> steps,
+    List<PortChanges> ports) {
   public CaseRecord {
     Objects.requireNonNull(outcome);
     Objects.requireNonNull(thrown);
@@ -39,6 +41,7 @@ public record CaseRecord(
     Objects.requireNonNull(message);
     notes = List.copyOf(notes);
     steps = List.copyOf(steps);
+    ports = List.copyOf(ports);
   }
 
   /** A record without steps. */
@@ -52,7 +55,7 @@ public record CaseRecord(
       @Nullable RepeatedCalls repeated,
       String message,
       List<String> notes) {
-    this(no, outcome, thrown, actual, calls, time, repeated, message, notes, List.of());
+    this(no, outcome, thrown, actual, calls, time, repeated, message, notes, List.of(), List.of());
   }
 
   /** A record without notes. */
@@ -107,18 +110,25 @@ public record CaseRecord(
     return other == no
         ? this
         : new CaseRecord(
-            other, outcome, thrown, actual, calls, time, repeated, message, notes, steps);
+            other, outcome, thrown, actual, calls, time, repeated, message, notes, steps, ports);
   }
 
   /** A copy without processing times. */
   public CaseRecord withoutTime() {
-    return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message, notes, steps);
+    return new CaseRecord(
+        no, outcome, thrown, actual, calls, null, null, message, notes, steps, ports);
   }
 
   /** A copy with the steps of a sequence. */
   public CaseRecord with(List<StepRecord> ended) {
     return new CaseRecord(
-        no, outcome, thrown, actual, calls, time, repeated, message, notes, ended);
+        no, outcome, thrown, actual, calls, time, repeated, message, notes, ended, ports);
+  }
+
+  /** A copy with values of output data ports. */
+  public CaseRecord withPorts(List<PortChanges> changes) {
+    return new CaseRecord(
+        no, outcome, thrown, actual, calls, time, repeated, message, notes, steps, changes);
   }
 
   /** A copy that says that its call was the first of its process. */
@@ -135,6 +145,7 @@ public record CaseRecord(
             repeated,
             message,
             notes,
-            steps);
+            steps,
+            ports);
   }
 }

@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.OutputSink;
 import org.sitaf.agent.simulation.BuildSimulator;
@@ -16,6 +15,7 @@ import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldSignals;
+import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.Target;
@@ -25,6 +25,7 @@ import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.MessageTraces;
+import org.sitaf.core.verdict.PortTraces;
 import org.sitaf.core.verdict.ResultAssembler;
 import org.sitaf.core.verdict.TraceSource.MissingTraceException;
 
@@ -40,6 +41,7 @@ final class CaseSignals {
   private final BuildListener listener;
   private final @Nullable KeptSignals kept;
   private final @Nullable MessageTraces messages;
+  private final PortTraces ports;
 
   /**
    * @param settings whether all signals are reported to the listener, and which are kept
@@ -50,15 +52,14 @@ final class CaseSignals {
     WorldDescription world = application.activity().world();
     List<String> sampled = world == null ? List.of() : WorldSignals.of(world);
     List<String> sent = application.activity().messageSignals();
-    List<String> all = Stream.concat(sampled.stream(), sent.stream()).toList();
-    boolean sequence = application.model().sequence() != null;
+    List<Port.Data> ports = application.activity().outputPorts();
     Diagnostics diagnostics = new Diagnostics();
     Limits limits = application.activity().profile().limits();
     this.conditions =
         TrajectoryConditions.compile(
             application.model(),
-            sequence ? SequenceSignal.with(all) : all,
-            world == null ? Map.of() : WorldSignals.lists(world),
+            application.activity().signals(application.model()),
+            application.activity().signalLists(),
             limits.caseSimulation().toNanos() / 1e9,
             diagnostics);
     diagnostics.throwIfErrors();
@@ -77,14 +78,17 @@ final class CaseSignals {
     // Elements of lists are sampled only for conditions, because a scan can have thousands.
     Set<String> wanted = new TreeSet<>(conditions.signals());
     if (this.reported) {
-      wanted.addAll(all);
+      wanted.addAll(sampled);
+      wanted.addAll(sent);
     }
+    this.ports = new PortTraces(ports, conditions.signals());
     this.messages =
         sent.isEmpty()
             ? null
             : new MessageTraces(application.activity().recordedMessages(), wanted);
-    // The simulator knows nothing of messages and steps.
+    // The simulator knows nothing of messages, ports and steps.
     wanted.removeAll(sent);
+    wanted.removeAll(this.ports.names());
     if (!sampled.contains(SequenceSpec.STEP)) {
       wanted.remove(SequenceSpec.STEP);
     }
@@ -162,6 +166,9 @@ final class CaseSignals {
       trace = simulator.takeSignals(record.no());
       if (messages != null && trace.isPresent()) {
         trace = Optional.of(messages.extended(trace.get(), record.calls()));
+      }
+      if (trace.isPresent()) {
+        trace = Optional.of(ports.extended(trace.get(), record.ports()));
       }
     } catch (MissingTraceException e) {
       trace = Optional.empty();

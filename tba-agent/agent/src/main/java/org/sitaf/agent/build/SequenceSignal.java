@@ -10,15 +10,6 @@ import org.sitaf.core.verdict.StepRecord;
 final class SequenceSignal {
   private SequenceSignal() {}
 
-  /** The names of signals with the number of the step, unless the world has one of that name. */
-  static List<String> with(List<String> signals) {
-    List<String> all = new ArrayList<>(signals);
-    if (!all.contains(SequenceSpec.STEP)) {
-      all.add(SequenceSpec.STEP);
-    }
-    return all;
-  }
-
   /** A copy of the signals of a case with the number of the step at each sample. */
   static Trace added(Trace trace, List<StepRecord> steps) {
     if (trace.names().contains(SequenceSpec.STEP)) {

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
+import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -89,6 +90,7 @@ public final class Simulation implements AutoCloseable {
   private final boolean keepsSignals;
 
   private volatile long callNanos;
+  private volatile LongConsumer beforeStep = now -> {};
   private volatile int caseNo;
   private volatile boolean called;
 
@@ -314,6 +316,16 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
+  /** Calls {@code look} with the {@link #nowNanos() time} whenever it is about to pass. */
+  public void beforeTimePasses(LongConsumer look) {
+    beforeStep = look;
+  }
+
+  /** Simulation time, also of the settling. */
+  public long nowNanos() {
+    return world.timeNanos();
+  }
+
   /** Simulation time in nanoseconds since the first call of the case. */
   public long sinceCall() {
     return world.timeNanos() - callNanos;
@@ -411,6 +423,7 @@ public final class Simulation implements AutoCloseable {
   }
 
   private void step(long steps) {
+    beforeStep.accept(world.timeNanos());
     updateSession();
     List<DeviceCommand> commands = pending.take();
     StepSimulationRequest request =

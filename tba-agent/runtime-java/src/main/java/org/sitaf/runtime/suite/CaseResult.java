@@ -18,9 +18,12 @@ public final class CaseResult {
 
   private record Call(String method, List<String> parameters, List<String> arguments) {}
 
+  private record Port(String signal, List<PortChange> changes, long leftOut) {}
+
   private final TestCase testCase;
   private final Map<String, String> actual = new LinkedHashMap<>();
   private final List<Call> calls = new ArrayList<>();
+  private final List<Port> ports = new ArrayList<>();
   private long callsLeftOut;
   private @Nullable ProcessingTime time;
   private Outcome outcome = Outcome.RETURNED;
@@ -86,6 +89,21 @@ public final class CaseResult {
   /** Counts calls that are not recorded. */
   public void addCallsLeftOut(long count) {
     callsLeftOut += count;
+  }
+
+  /** The literal of a part of a value, or of the value itself if the name has no path. */
+  public static String literalOfPart(String name, @Nullable Object whole) {
+    return Literals.of(Parts.of(whole, name).orElse(null));
+  }
+
+  /**
+   * Adds the values of an output data port during the case.
+   *
+   * @param changes with times since the call
+   * @param leftOut number of further changes that are not recorded
+   */
+  public void addPort(String signal, List<PortChange> changes, long leftOut) {
+    ports.add(new Port(signal, List.copyOf(changes), leftOut));
   }
 
   /** Ends the case with an exception of the call under test. */
@@ -175,6 +193,9 @@ public final class CaseResult {
     }
     if (callsLeftOut > 0) {
       line.callsLeftOut(callsLeftOut);
+    }
+    for (Port port : ports) {
+      line.port(port.signal(), port.changes(), port.leftOut());
     }
     if (time != null) {
       line.time(time);

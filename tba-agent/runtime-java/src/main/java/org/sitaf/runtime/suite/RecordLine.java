@@ -99,6 +99,19 @@ final class RecordLine {
     element("calls_left_out", "", Long.toString(count));
   }
 
+  /** The values of an output data port; times are in nanoseconds since the call. */
+  void port(String signal, List<PortChange> changes, long leftOut) {
+    xml.append("<port name=\"");
+    escape(signal);
+    xml.append("\" left_out=\"").append(leftOut).append("\">");
+    for (PortChange change : changes) {
+      xml.append("<at ns=\"").append(change.nanos()).append("\">");
+      escape(change.literal());
+      xml.append("</at>");
+    }
+    xml.append("</port>");
+  }
+
   void message(String text) {
     element(
         "message",

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
@@ -73,7 +74,8 @@ final class CppChecks {
   }
 
   private void ports(HarnessPlan plan) {
-    for (HarnessPlan.Output output : plan.outputs()) {
+    for (HarnessPlan.Output output :
+        Stream.concat(plan.outputs().stream(), plan.watched().stream()).toList()) {
       if (output.source() instanceof Source.DataPort port && !CppNames.isName(port.port())) {
         diagnostics.error(
             HarnessPlanner.PROFILE,

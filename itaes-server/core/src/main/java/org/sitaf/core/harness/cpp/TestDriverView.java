@@ -31,6 +31,7 @@ record TestDriverView(
     List<String> reads,
     String prepareWorld,
     String prepareStub,
+    List<String> watches,
     boolean settles,
     boolean blocking,
     String call,
@@ -60,6 +61,7 @@ record TestDriverView(
             "testStub_.prepare(",
             plan.answers().stream().map(CppPlan.Answer::local).toList(),
             ");"),
+        watches(plan),
         plan.isPeriodic() && plan.hasWorld(),
         blocking,
         call(plan),
@@ -122,6 +124,7 @@ record TestDriverView(
           .filter(o -> o.source() instanceof Source.DataPort)
           .forEach(o -> types.add(o.type()));
     }
+    plan.plan().watched().forEach(o -> types.add(o.type()));
     return new Includes()
         .standard("memory")
         .own(
@@ -238,6 +241,23 @@ record TestDriverView(
       }
     }
     return path.toString();
+  }
+
+  /** Records the output data ports that trajectory conditions use. */
+  static List<String> watches(CppPlan plan) {
+    return plan.plan().watched().stream()
+        .map(
+            port ->
+                CppText.list(
+                    2,
+                    "watch(",
+                    List.of(
+                        CppText.string(port.name()),
+                        "[&component] { return "
+                            + path(expression(plan, port.source()), port.source().path(), true)
+                            + "; }"),
+                    ");"))
+        .toList();
   }
 
   static String output(CppPlan plan, Output output) {

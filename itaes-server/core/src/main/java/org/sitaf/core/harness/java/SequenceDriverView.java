@@ -23,6 +23,7 @@ record SequenceDriverView(
     List<String> reads,
     String prepareWorld,
     String prepareStub,
+    List<String> watches,
     boolean periodic,
     boolean runOn,
     List<Choice> choices,
@@ -79,6 +80,7 @@ record SequenceDriverView(
         JavaText.call(4, "", "simulationControl.prepare", TestDriverView.settings(plan)),
         JavaText.call(
             4, "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
+        TestDriverView.watches(plan),
         plan.period() != null,
         SimulationControlView.runsOn(plan),
         choices,

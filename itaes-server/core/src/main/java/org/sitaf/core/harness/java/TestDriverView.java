@@ -29,6 +29,7 @@ record TestDriverView(
     List<String> reads,
     String prepareWorld,
     String prepareStub,
+    List<String> watches,
     String call,
     boolean runOn,
     boolean periodic,
@@ -53,6 +54,7 @@ record TestDriverView(
         JavaText.call(4, "", "simulationControl.prepare", settings(plan)),
         JavaText.call(
             4, "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
+        watches(plan),
         call(plan),
         SimulationControlView.runsOn(plan),
         plan.period() != null,
@@ -264,6 +266,19 @@ record TestDriverView(
   private static String read(JavaType type, String local, String column) {
     return JavaText.call(
         4, type.name() + " " + local + " =", "testCase." + type.accessor(), type.reading(column));
+  }
+
+  /** Records the output data ports that trajectory conditions use. */
+  static List<String> watches(JavaPlan plan) {
+    return plan.watched().stream()
+        .map(
+            port ->
+                JavaText.call(
+                    4,
+                    "",
+                    "watch",
+                    List.of(JavaText.string(port.name()), "() -> " + port.expression())))
+        .toList();
   }
 
   static String output(Output output) {

@@ -32,6 +32,7 @@ import org.sitaf.core.model.Value;
  * @param provided interfaces of the component
  * @param types structs and enumerations of the interfaces, in the order of their dependencies
  * @param errors names of exceptions that the interfaces declare or an answer raises, sorted
+ * @param watched output data ports whose values are recorded at each simulation step
  * @param sequence the steps, if a case is a sequence; then the method is that of the first call,
  *     and arguments and outputs are those of the {@link Sequence#calls}
  */
@@ -50,6 +51,7 @@ public record HarnessPlan(
     List<DataType> types,
     List<String> errors,
     Limits limits,
+    List<Output> watched,
     @Nullable Sequence sequence) {
   public HarnessPlan {
     Objects.requireNonNull(modelName);
@@ -65,6 +67,7 @@ public record HarnessPlan(
     provided = List.copyOf(provided);
     types = List.copyOf(types);
     errors = List.copyOf(errors);
+    watched = List.copyOf(watched);
   }
 
   /**

@@ -119,6 +119,7 @@ public final class HarnessPlanner {
     List<Output> outputs =
         steps == null ? new OutputPlanner(method, model, activity, diagnostics).plan() : List.of();
     var before = new BeforeCalls(provided, diagnostics).plan(component.before(), PROFILE);
+    List<Output> watched = WatchedPorts.of(activity, model);
     DeclaredTypes types = new DeclaredTypes(diagnostics);
     targets.forEach(t -> types.reach(t.declaring().source(), t.method()));
     for (InterfaceDescription description : required) {
@@ -133,7 +134,7 @@ public final class HarnessPlanner {
     }
     // The component also uses the types of all its ports.
     for (Port.Data port : activity.outputPorts()) {
-      if (!holdsUnknown(port.type()) || isObserved(port, outputs)) {
+      if (!holdsUnknown(port.type()) || isObserved(port, outputs) || isObserved(port, watched)) {
         types.reach(PROFILE, port);
       }
     }
@@ -155,6 +156,7 @@ public final class HarnessPlanner {
             types.inOrder(),
             List.copyOf(errors),
             activity.profile().limits(),
+            watched,
             null);
     return steps == null
         ? plan

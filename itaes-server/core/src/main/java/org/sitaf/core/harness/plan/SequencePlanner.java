@@ -132,6 +132,7 @@ final class SequencePlanner {
             whole.types(),
             whole.errors(),
             whole.limits(),
+            List.of(),
             null);
     return new CallStep(call.name(), plan);
   }
@@ -235,6 +236,7 @@ final class SequencePlanner {
         whole.types(),
         whole.errors(),
         whole.limits(),
+        whole.watched(),
         sequence);
   }
 

@@ -27,6 +27,7 @@ record SequenceDriverView(
     List<String> initialReads,
     String prepareWorld,
     String prepareStub,
+    List<String> watches,
     boolean periodic,
     String period,
     boolean runOn,
@@ -113,6 +114,7 @@ record SequenceDriverView(
         new Group(
                 "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")")
             .at(8),
+        TestDriverView.watches(plan),
         plan.isPeriodic(),
         plan.isPeriodic()
             ? PythonText.real(Objects.requireNonNull(neutral.component().period()).toNanos() / 1e9)

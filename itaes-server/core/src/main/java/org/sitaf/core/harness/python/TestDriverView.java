@@ -31,6 +31,7 @@ record TestDriverView(
     List<String> reads,
     String prepareWorld,
     String prepareStub,
+    List<String> watches,
     boolean periodic,
     String period,
     boolean nonblocking,
@@ -73,6 +74,7 @@ record TestDriverView(
         new Group(
                 "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")")
             .at(8),
+        watches(plan),
         plan.isPeriodic(),
         plan.isPeriodic() ? PythonText.real(neutral.component().period().toNanos() / 1e9) : "",
         nonblocking,
@@ -203,7 +205,8 @@ record TestDriverView(
       }
       PythonType.importKind(answer.neutral().type(), imports);
     }
-    for (Output output : neutral.outputs()) {
+    for (Output output :
+        Stream.concat(neutral.outputs().stream(), neutral.watched().stream()).toList()) {
       if (output.type().isVoid()) {
         continue;
       }
@@ -282,6 +285,22 @@ record TestDriverView(
     return step instanceof Step.Member member
         ? PythonText.string(member.name())
         : String.valueOf(((Step.Element) step).index());
+  }
+
+  /** Records the output data ports that trajectory conditions use. */
+  static List<String> watches(PythonPlan plan) {
+    return plan.neutral().watched().stream()
+        .map(
+            port ->
+                new Group(
+                        "self.watch(",
+                        List.of(
+                            PythonText.string(port.name()),
+                            "lambda: " + expression(plan, port.source()),
+                            PythonType.kind(port.type())),
+                        ")")
+                    .at(8))
+        .toList();
   }
 
   static String output(PythonPlan plan, Output output) {

@@ -11,6 +11,7 @@ import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseRecord.Outcome;
 import org.sitaf.core.verdict.CaseResult.ProcessingTime;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.PortChanges;
 import org.sitaf.core.verdict.StepRecord;
 import org.sitaf.core.verdict.StubCalls;
 
@@ -107,6 +108,7 @@ public final class CaseRecordLine {
       leftOut = whole(MAX_DIGITS);
       expect("</calls_left_out>");
     }
+    List<PortChanges> ports = ports();
     ProcessingTime time = time();
     RepeatedCalls repeated = repeated();
     String message = skip("<message>") ? text("</message>") : "";
@@ -119,7 +121,16 @@ public final class CaseRecordLine {
       throw invalid("nothing");
     }
     return new CaseRecord(
-        no, outcome, thrown, actual, new StubCalls(calls, leftOut), time, repeated, message, notes);
+            no,
+            outcome,
+            thrown,
+            actual,
+            new StubCalls(calls, leftOut),
+            time,
+            repeated,
+            message,
+            notes)
+        .withPorts(ports);
   }
 
   private Outcome outcome() {
@@ -140,6 +151,25 @@ public final class CaseRecordLine {
       values.add(new NamedValue(name, text(end)));
     }
     return values;
+  }
+
+  private List<PortChanges> ports() {
+    List<PortChanges> ports = new ArrayList<>();
+    while (skip("<port name=\"")) {
+      String name = text("\" left_out=\"");
+      long leftOut = whole(MAX_DIGITS);
+      expect("\">");
+      List<PortChanges.Change> changes = new ArrayList<>();
+      while (skip("<at ns=\"")) {
+        long sign = skip("-") ? -1 : 1;
+        long nanos = sign * whole(MAX_DIGITS);
+        expect("\">");
+        changes.add(new PortChanges.Change(nanos, text("</at>")));
+      }
+      expect("</port>");
+      ports.add(new PortChanges(name, changes, leftOut));
+    }
+    return ports;
   }
 
   private @Nullable ProcessingTime time() {

@@ -19,6 +19,7 @@ import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseRecord.Outcome;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.PortChanges;
 import org.sitaf.core.verdict.StubCalls;
 
 class CaseRecordLineTest {
@@ -46,6 +47,22 @@ class CaseRecordLineTest {
                     12),
                 new CaseResult.ProcessingTime(87.5, 12, 1.25),
                 ""));
+  }
+
+  @Test
+  void readsTheValuesOfDataPorts() {
+    String ports =
+        "<port name=\"state.on\" left_out=\"0\"><at ns=\"-4000000\">false</at><at ns=\"0\">true</at>"
+            + "</port><port name=\"speed\" left_out=\"12\"></port>";
+    assertThat(CaseRecordLine.read(WHOLE.replace("<processing", ports + "<processing")).ports())
+        .containsExactly(
+            new PortChanges(
+                "state.on",
+                List.of(
+                    new PortChanges.Change(-4_000_000, "false"), new PortChanges.Change(0, "true")),
+                0),
+            new PortChanges("speed", List.of(), 12));
+    assertThat(CaseRecordLine.read(WHOLE).ports()).isEmpty();
   }
 
   @Test
@@ -98,7 +115,10 @@ class CaseRecordLineTest {
         "<case_record no=\"1\" outcome=\"ERROR\"><message>&#65;</message></case_record>",
         "<case_record no=\"1\" outcome=\"ERROR\"><message>\ud83e</message></case_record>",
         "<case_record no=\"1\" outcome=\"ERROR\"><message>a</message></case_record> ",
-        "<case_record no=\"1\" outcome=\"RETURNED\"><actual>3</actual></case_record>"
+        "<case_record no=\"1\" outcome=\"RETURNED\"><actual>3</actual></case_record>",
+        "<case_record no=\"1\" outcome=\"ERROR\"><port name=\"a\"></port></case_record>",
+        "<case_record no=\"1\" outcome=\"ERROR\"><port name=\"a\" left_out=\"-1\"></port></case_record>",
+        "<case_record no=\"1\" outcome=\"ERROR\"><port name=\"a\" left_out=\"0\"><at ns=\"x\">1</at></port></case_record>"
       })
   void rejectsAnyOtherLineWithThePosition(String line) {
     assertThatThrownBy(() -> CaseRecordLine.read(line))

@@ -25,6 +25,7 @@ import org.sitaf.core.description.Direction;
  * @param interfaces generated interfaces
  * @param stubs stubs of the required interfaces
  * @param outputs outputs that are read after the call
+ * @param watched output data ports that are read at each simulation step
  * @param properties property values of the component by name
  * @param before calls that set up the component
  * @param types generated structs and enumerations
@@ -51,6 +52,7 @@ public record JavaPlan(
     List<Interface> interfaces,
     List<Stub> stubs,
     List<Output> outputs,
+    List<Output> watched,
     Map<String, String> properties,
     List<Call> before,
     List<JavaDeclaredType> types,

@@ -93,7 +93,8 @@ public final class JavaPlanner {
     errors();
     @Nullable JavaType returns =
         plan.returnsNothing() ? null : type(plan.method().returnType(), "its return type");
-    List<Output> outputs = outputs(arguments);
+    List<Output> outputs = outputs(plan.outputs(), arguments);
+    List<Output> watched = outputs(plan.watched(), List.of());
     List<Call> before = before();
     boolean clash = JavaNames.isUsedType(simpleName) || isDeclared(simpleName);
     return new JavaPlan(
@@ -114,6 +115,7 @@ public final class JavaPlanner {
         interfaces,
         stubs,
         outputs,
+        watched,
         plan.component().properties(),
         before,
         types,
@@ -256,9 +258,9 @@ public final class JavaPlanner {
             world.runFor());
   }
 
-  private List<Output> outputs(List<Argument> arguments) {
+  private static List<Output> outputs(List<HarnessPlan.Output> planned, List<Argument> arguments) {
     List<Output> outputs = new ArrayList<>();
-    for (HarnessPlan.Output output : plan.outputs()) {
+    for (HarnessPlan.Output output : planned) {
       Source source = output.source();
       outputs.add(
           new Output(
