@@ -14,20 +14,39 @@ class NavigationServer:
     """Drives the base `base` to one goal at a time."""
 
     def __init__(self, hardware: Hardware) -> None:
+        self._hardware = hardware
         self._base = hardware.joint_motor("base")
+        self._number = 0
         self._goal = None
         self._preempted = None
 
     def send_goal(self, x: float) -> None:
         """Drive to a position; a goal that is active is preempted."""
         self._preempted = self._goal
+        self._number += 1
         self._goal = x
         self._base.set_position(x)
+
+    def navigate(self, distance: float) -> str:
+        """Drive by a distance until the base is there or another goal counts."""
+        goal = self._goal = self._base.position() + distance
+        self._number += 1
+        mine = self._number
+        self._base.set_position(goal)
+        while self._number == mine:
+            if abs(self._base.position() - goal) <= TOLERANCE:
+                self._goal = None
+                return "REACHED"
+            self._hardware.sleep(0.02)
+        # The fault: a call that is preempted ends the goal of its successor.
+        self._goal = None
+        return "PREEMPTED"
 
     def cancel(self) -> None:
         """End the active goal and stop."""
         if self._goal is None:
             raise NoGoal("send a goal first")
+        self._number += 1
         # The fault: the goal that was preempted begins again.
         self._goal, self._preempted = self._preempted, None
         self._base.set_position(

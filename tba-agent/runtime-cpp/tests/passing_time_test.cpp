@@ -64,11 +64,12 @@ TEST_CASE("a followed thread acts at the same times in every run, and time passe
   std::thread component = world.follow([&] { world.act(acted, 5); });
   world.time.pass(milliseconds(20));
   CHECK(acted == Moments{0, 3, 6, 9});
-  world.time.passUntilThreadLeaves();
+  const std::thread::id id = component.get_id();
+  world.time.passUntilLeaves(id);
   component.join();
   CHECK(acted == Moments{0, 3, 6, 9, 12});
   CHECK(world.now == 15);
-  world.time.passUntilThreadLeaves();
+  world.time.passUntilLeaves(id);
   CHECK(world.now == 15);
 }
 
@@ -84,11 +85,49 @@ TEST_CASE("giving up a thread ends its waits") {
       reported = true;
     }
   });
-  CHECK_THROWS_WITH_AS(world.time.passUntilThreadLeaves(), "the case took more than 0.02 s of simulation time", CaseTooLong);
-  world.time.giveUp();
+  CHECK_THROWS_WITH_AS(world.time.passUntilLeaves(component.get_id()), "the case took more than 0.02 s of simulation time", CaseTooLong);
+  world.time.giveUp(component.get_id());
   component.join();
   CHECK(reported);
   CHECK(acted == Moments{0, 3, 6, 9});
+}
+
+TEST_CASE("followed threads continue in the order of their beginning") {
+  World world;
+  std::vector<std::pair<int, std::uint64_t>> acted;
+  std::vector<std::thread> components;
+  for (int number = 1; number <= 3; ++number) {
+    components.push_back(world.follow([&world, &acted, number] {
+      for (int i = 0; i < 3; ++i) {
+        world.time.pass(milliseconds(6));
+        // The others would act meanwhile if they ran at the same time.
+        std::this_thread::yield();
+        acted.emplace_back(number, world.now);
+      }
+    }));
+    world.time.awaitTurnOf(components.back().get_id());
+  }
+  for (std::thread& component : components) {
+    world.time.passUntilLeaves(component.get_id());
+    component.join();
+  }
+  CHECK(acted == std::vector<std::pair<int, std::uint64_t>>{{1, 3}, {2, 3}, {3, 3}, {1, 6}, {2, 6}, {3, 6}, {1, 9}, {2, 9}, {3, 9}});
+}
+
+TEST_CASE("a followed thread waits until another leaves") {
+  World world;
+  Moments acted;
+  std::thread inner;
+  std::thread outer = world.follow([&] {
+    inner = world.follow([&] { world.act(acted, 2); });
+    world.time.awaitTurnOf(inner.get_id());
+    world.time.passUntilLeaves(inner.get_id());
+    acted.push_back(100 + world.now);
+  });
+  world.time.passUntilLeaves(outer.get_id());
+  outer.join();
+  inner.join();
+  CHECK(acted == Moments{0, 3, 106});
 }
 
 TEST_CASE("the settle time counts towards the limit of a case") {

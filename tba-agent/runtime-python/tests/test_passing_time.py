@@ -1,6 +1,7 @@
 """Simulation time for threads of a component and for nonblocking calls."""
 
 import threading
+import time
 
 import pytest
 
@@ -51,6 +52,45 @@ def test_a_nonblocking_call_acts_at_the_same_times_in_every_run():
     assert not watch.is_running
 
 
+@pytest.mark.parametrize("attempt", range(5))
+def test_a_nonblocking_call_acts_before_the_tick_of_the_same_step(attempt):
+    world, acted = World(), []
+
+    def call():
+        for _ in range(3):
+            # A tick that did not wait for this thread would come first.
+            time.sleep(0.001)
+            acted.append(("call", world.now))
+            world.time.let_pass(6 * MS)
+
+    world.time.every(6 * MS, lambda: acted.append(("tick", world.now)))
+    NonblockingCall(Stopwatch(), world, call).outcome()
+    world.time.let_pass(6 * MS)
+    assert acted == [
+        ("call", 0),
+        ("call", 3),
+        ("tick", 3),
+        ("call", 6),
+        ("tick", 6),
+        ("tick", 9),
+        ("tick", 12),
+    ]
+
+
+def test_a_tick_that_waits_lets_a_nonblocking_call_continue():
+    world, acted = World(), []
+
+    def tick():
+        acted.append(("begin", world.now))
+        world.time.let_pass(8 * MS)
+        acted.append(("end", world.now))
+
+    world.time.every(20 * MS, tick)
+    call = NonblockingCall(Stopwatch(), world, lambda: world.act(acted, 5))
+    assert call.outcome() == "done"
+    assert acted == [0, 3, 6, 9, ("begin", 10), 12, ("end", 14)]
+
+
 def test_a_call_that_does_not_wait_takes_no_time():
     world = World()
     assert NonblockingCall(Stopwatch(), world, lambda: 7).outcome() == 7
@@ -98,3 +138,45 @@ def test_a_new_case_ends_waits_of_the_previous_one():
     world.time.restart()
     thread.join(10)
     assert not thread.is_alive()
+
+
+def test_followed_threads_continue_in_the_order_of_their_beginning():
+    world, acted = World(), []
+
+    def act(name):
+        for _ in range(3):
+            world.time.let_pass(6 * MS)
+            # The others would act meanwhile if they ran at the same time.
+            time.sleep(0.001)
+            acted.append((name, world.now))
+        world.time.leave()
+
+    threads = [threading.Thread(target=act, args=(name,)) for name in "abc"]
+    for thread in threads:
+        world.time.follow(thread)
+        thread.start()
+        world.time.await_turn_of(thread)
+    for thread in threads:
+        world.time.pass_until_leaves(thread)
+        thread.join()
+    assert acted == [(name, step) for step in (3, 6, 9) for name in "abc"]
+
+
+def test_a_followed_thread_makes_a_nonblocking_call():
+    world, acted = World(), []
+
+    def outer():
+        NonblockingCall(Stopwatch(), world, lambda: world.act(acted, 2)).outcome()
+        acted.append(-world.now)
+
+    NonblockingCall(Stopwatch(), world, outer).outcome()
+    assert acted == [0, 3, -6]
+
+
+def test_each_overlapping_step_has_its_own_stopwatch():
+    whole, own = Stopwatch(), Stopwatch()
+    whole.start()
+    with whole.separate(own):
+        assert whole.of_this_thread is own
+    assert whole.of_this_thread is whole
+    assert not own.was_started

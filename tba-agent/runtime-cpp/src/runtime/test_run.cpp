@@ -1,5 +1,6 @@
 #include "sitaf/runtime/test_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "runtime/command_line.hpp"
 #include "runtime/crash_reports.hpp"
 #include "runtime/debugger.hpp"
+#include "runtime/overlapping_steps.hpp"
 #include "runtime/thrown.hpp"
 #include "sitaf/runtime/sequence_driver.hpp"
 #include "sitaf/runtime/suite_driver.hpp"
@@ -59,7 +61,7 @@ void closing(const std::string& what, Closing close) {
 
 }  // namespace
 
-class TestRun::State {
+class TestRun::State : private StepRunner {
  public:
   explicit State(const CommandLine& command)
       : from_(command.from), repetition_(command.repetition), suite(command.suite), results(command.results, command.from > 0) {
@@ -76,7 +78,7 @@ class TestRun::State {
       }
     }
   }
-  ~State() { currentHardware = nullptr; }
+  ~State() override { currentHardware = nullptr; }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -102,8 +104,21 @@ class TestRun::State {
     }
   }
 
-  bool runStep(Sequence& sequence, const suite::TestStep& step) {
-    suite::CaseResult result(step);
+  bool runSteps(Sequence& sequence, const std::vector<suite::TestStep>& steps) {
+    if (std::any_of(steps.begin(), steps.end(), [&](const suite::TestStep& step) { return sequence.overlaps(step); })) {
+      return OverlappingSteps(*this, sequence, simulation ? &*simulation : nullptr).run(steps);
+    }
+    return std::all_of(steps.begin(), steps.end(), [&](const suite::TestStep& step) {
+      suite::CaseResult result(step);
+      begins(result);
+      const bool goesOn = execute(sequence, step, result).empty();
+      takeCalls(result);
+      results.save(result);
+      return goesOn;
+    });
+  }
+
+  void begins(suite::CaseResult& result) override {
     if (simulation) {
       if (!inSequence_) {
         simulation->callBegins();
@@ -111,26 +126,34 @@ class TestRun::State {
       result.beganAt(simulation->sinceCall());
     }
     inSequence_ = true;
-    stopwatch.reset();
-    bool goesOn = true;
+  }
+
+  std::string execute(Sequence& sequence, const suite::TestStep& step, suite::CaseResult& result) override {
+    Stopwatch& watch = stopwatch.ofThisThread();
+    watch.reset();
+    std::string tooLong;
     try {
       sequence.runStep(step, result);
-      if (stopwatch.wasStarted()) {
-        result.setTime(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+      if (watch.wasStarted()) {
+        setTime(result, watch);
       }
-    } catch (const simulation::CaseTooLong&) {
-      goesOn = false;
+    } catch (const simulation::CaseTooLong& e) {
+      tooLong = e.what();
       end(result, std::current_exception());
     } catch (...) {
       end(result, std::current_exception());
     }
     requireSimulator();
+    return tooLong;
+  }
+
+  void takeCalls(suite::CaseResult& result) override {
     if (addition) {
       addition(result);
     }
-    results.save(result);
-    return goesOn;
   }
+
+  void saveStep(suite::CaseResult& result) override { results.save(result); }
 
   /// Throws when the simulator was lost, because later measurements are invalid.
   void requireSimulator() {
@@ -212,9 +235,14 @@ class TestRun::State {
     closing("closing the component after case " + std::to_string(testCase.no()), [&] { driver.endCase(); });
   }
 
+  static void setTime(suite::CaseResult& result, const Stopwatch& watch) {
+    result.setTime(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
+  }
+
   /// Completes the record of a case that did not save its result; rethrows when no further case can run.
   void end(suite::CaseResult& result, const std::exception_ptr& thrown) {
     requireSimulator();
+    Stopwatch& watch = stopwatch.ofThisThread();
     const std::string text = describe(thrown);
     try {
       std::rethrow_exception(thrown);
@@ -222,9 +250,9 @@ class TestRun::State {
       result.endWith(suite::Outcome::error, tooLong.what());
       return;
     } catch (...) {
-      if (stopwatch.isRunning()) {
-        stopwatch.stop();
-        result.setTime(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+      if (watch.isRunning()) {
+        watch.stop();
+        setTime(result, watch);
         result.threw(simpleTypeOf(thrown), text);
         return;
       }
@@ -237,7 +265,7 @@ class TestRun::State {
       if (refused.isLost()) {
         throw;
       }
-      result.endWith(stopwatch.wasStarted() ? suite::Outcome::error : suite::Outcome::notCalled, refused.what());
+      result.endWith(watch.wasStarted() ? suite::Outcome::error : suite::Outcome::notCalled, refused.what());
     } catch (const suite::CaseDataError& unreadable) {
       result.endWith(suite::Outcome::notCalled, unreadable.what());
     } catch (...) {
@@ -293,7 +321,7 @@ void TestRun::readPorts() {
 
 void TestRun::save(suite::CaseResult& result) { state_.save(result); }
 
-bool TestRun::runStep(Sequence& sequence, const suite::TestStep& step) { return state_.runStep(sequence, step); }
+bool TestRun::runSteps(Sequence& sequence, const std::vector<suite::TestStep>& steps) { return state_.runSteps(sequence, steps); }
 
 void TestRun::endSteps() { state_.stopwatch.reset(); }
 

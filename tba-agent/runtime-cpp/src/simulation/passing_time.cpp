@@ -17,7 +17,8 @@ void PassingTime::restart(Duration settled) {
   const std::lock_guard<std::mutex> lock(mutex_);
   driver_ = std::this_thread::get_id();
   periods_.reset();
-  followed_ = {};
+  followed_.clear();
+  joining_.clear();
   waiting_.clear();
   step_ = 0;
   settled_ = settled;
@@ -34,29 +35,58 @@ void PassingTime::every(Duration period, std::function<void()> tick) {
 
 void PassingTime::follow(std::thread::id thread) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  followed_ = thread;
-  givenUp_ = {};
+  followed_.push_back(thread);
 }
 
 void PassingTime::leave() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (followed_ == std::this_thread::get_id()) {
-    followed_ = {};
-    changed_.notify_all();
+  givenUp_.erase(std::this_thread::get_id());
+  unfollow(std::this_thread::get_id());
+}
+
+bool PassingTime::isFollowed(std::thread::id thread) const {
+  return std::find(followed_.begin(), followed_.end(), thread) != followed_.end();
+}
+
+void PassingTime::unfollow(std::thread::id thread) {
+  const auto found = std::find(followed_.begin(), followed_.end(), thread);
+  if (found == followed_.end()) {
+    return;
+  }
+  followed_.erase(found);
+  const auto joiner = joining_.find(thread);
+  if (joiner != joining_.end()) {
+    waiting_.erase(joiner->second);
+    joining_.erase(joiner);
+  }
+  changed_.notify_all();
+}
+
+void PassingTime::passUntilLeaves(std::thread::id thread) {
+  if (isDriver()) {
+    passUntil(thread, [] { return false; });
+  } else {
+    join(thread);
   }
 }
 
-void PassingTime::passUntilThreadLeaves() {
-  for (std::uint64_t steps = awaited(); steps > 0; steps = awaited()) {
+void PassingTime::passUntil(std::thread::id thread, const std::function<bool()>& reached) {
+  for (std::uint64_t steps = untilNext(thread); steps > 0 && !reached(); steps = untilNext(thread)) {
     move(steps);
   }
 }
 
-void PassingTime::giveUp() {
+void PassingTime::awaitTurnOf(std::thread::id thread) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait(lock, [&] { return !isFollowed(thread) || waiting_.count(thread) > 0; });
+}
+
+void PassingTime::giveUp(std::thread::id thread) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  givenUp_ = followed_;
-  followed_ = {};
-  changed_.notify_all();
+  if (isFollowed(thread)) {
+    givenUp_.insert(thread);
+    unfollow(thread);
+  }
 }
 
 void PassingTime::end() {
@@ -70,7 +100,7 @@ void PassingTime::pass(Duration time) {
   if (steps == 0) {
     return;
   }
-  if (std::this_thread::get_id() == driver_) {
+  if (isDriver()) {
     move(steps);
   } else {
     await(steps);
@@ -115,17 +145,31 @@ void PassingTime::move(std::uint64_t steps) {
     }
     simulator_(stop - step_);
     {
-      const std::lock_guard<std::mutex> lock(mutex_);
+      std::unique_lock<std::mutex> lock(mutex_);
       step_ = stop;
-      for (auto waiter = waiting_.begin(); waiter != waiting_.end();) {
-        waiter = waiter->second <= step_ ? waiting_.erase(waiter) : std::next(waiter);
-      }
-      changed_.notify_all();
+      continueDue(lock);
     }
     tickIfDue();
   }
   std::unique_lock<std::mutex> lock(mutex_);
   awaitFollowed(lock);
+}
+
+/// Ends the waits that are over; followed threads continue one after the other.
+void PassingTime::continueDue(std::unique_lock<std::mutex>& lock) {
+  for (auto waiter = waiting_.begin(); waiter != waiting_.end();) {
+    waiter = waiter->second <= step_ && !isFollowed(waiter->first) ? waiting_.erase(waiter) : std::next(waiter);
+  }
+  changed_.notify_all();
+  const std::vector<std::thread::id> inOrder = followed_;
+  for (const std::thread::id thread : inOrder) {
+    const auto waiter = waiting_.find(thread);
+    if (waiter != waiting_.end() && waiter->second <= step_) {
+      waiting_.erase(waiter);
+      changed_.notify_all();
+      awaitFollowed(lock);
+    }
+  }
 }
 
 void PassingTime::tickIfDue() {
@@ -145,26 +189,49 @@ void PassingTime::tickIfDue() {
 
 void PassingTime::await(std::uint64_t steps) {
   std::unique_lock<std::mutex> lock(mutex_);
+  waiting_[std::this_thread::get_id()] = step_ + steps;
+  waitUntilRemoved(lock);
+}
+
+/// Waits until another thread leaves.
+void PassingTime::join(std::thread::id other) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (isFollowed(other)) {
+    joining_[other] = std::this_thread::get_id();
+    waiting_[std::this_thread::get_id()] = never;
+    waitUntilRemoved(lock);
+  }
+}
+
+void PassingTime::waitUntilRemoved(std::unique_lock<std::mutex>& lock) {
   const std::thread::id self = std::this_thread::get_id();
-  waiting_[self] = step_ + steps;
   changed_.notify_all();
-  changed_.wait(lock, [&] { return ended_ || givenUp_ == self || waiting_.count(self) == 0; });
-  if (givenUp_ == self) {
+  changed_.wait(lock, [&] { return ended_ || givenUp_.count(self) > 0 || waiting_.count(self) == 0; });
+  if (givenUp_.count(self) > 0) {
     waiting_.erase(self);
     throw SimulationError("the case has ended, and its simulation time no longer advances", false);
   }
 }
 
-/// Waits until the followed thread waits for simulation time or has left.
+/// Waits until each followed thread waits for simulation time or has left.
 void PassingTime::awaitFollowed(std::unique_lock<std::mutex>& lock) {
-  changed_.wait(lock, [&] { return followed_ == std::thread::id() || waiting_.count(followed_) > 0; });
+  changed_.wait(lock, [&] {
+    return std::all_of(followed_.begin(), followed_.end(), [&](std::thread::id thread) { return waiting_.count(thread) > 0; });
+  });
 }
 
-/// Steps that the followed thread waits for; 0 when it has left.
-std::uint64_t PassingTime::awaited() {
+/// Steps until the first followed thread continues; 0 when this one has left.
+std::uint64_t PassingTime::untilNext(std::thread::id thread) {
   std::unique_lock<std::mutex> lock(mutex_);
   awaitFollowed(lock);
-  return followed_ == std::thread::id() ? 0 : waiting_.at(followed_) - step_;
+  if (!isFollowed(thread)) {
+    return 0;
+  }
+  std::uint64_t next = never;
+  for (const std::thread::id each : followed_) {
+    next = std::min(next, waiting_.at(each));
+  }
+  return next - step_;
 }
 
 }  // namespace sitaf::simulation

@@ -466,9 +466,15 @@ void Simulation::follow(std::thread::id thread) { session_->time().follow(thread
 
 void Simulation::leave() { session_->time().leave(); }
 
-void Simulation::advanceUntilThreadLeaves() { session_->time().passUntilThreadLeaves(); }
+bool Simulation::isDriver() { return session_->time().isDriver(); }
 
-void Simulation::giveUp() { session_->time().giveUp(); }
+void Simulation::advanceUntilLeaves(std::thread::id thread) { session_->time().passUntilLeaves(thread); }
+
+void Simulation::advanceUntil(std::thread::id thread, const std::function<bool()>& reached) { session_->time().passUntil(thread, reached); }
+
+void Simulation::awaitTurnOf(std::thread::id thread) { session_->time().awaitTurnOf(thread); }
+
+void Simulation::giveUp(std::thread::id thread) { session_->time().giveUp(thread); }
 
 void Simulation::limitCases(std::chrono::nanoseconds most) { session_->time().limit(most); }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
+from threading import get_ident
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 from sitaf_runtime import component as components
@@ -37,7 +38,8 @@ class SuiteDriver(ABC, Generic[C]):
         self._hooks = Hooks(self.NOT_HOOKS)
         self._component: C | None = None
         self._begun: C | None = None
-        self._pending: NonblockingCall[Any] | None = None
+        # Nonblocking calls whose outcome is not yet read, by the thread that began each.
+        self._pending: dict[int, NonblockingCall[Any]] = {}
         self._saved = False
 
     @abstractmethod
@@ -57,7 +59,7 @@ class SuiteDriver(ABC, Generic[C]):
     @property
     def stopwatch(self) -> Stopwatch:
         """Measures the call under test."""
-        return self._run.stopwatch
+        return self._run.stopwatch.of_this_thread
 
     def component(self) -> C:
         """The component of this case: a new one, or that of the previous case with `SUITE_LIFE`."""
@@ -90,7 +92,7 @@ class SuiteDriver(ABC, Generic[C]):
     def call_nonblocking(self, call: Callable[..., T], *arguments: Any) -> NonblockingCall[T]:
         """Start a nonblocking call of the component; it is measured on its own thread."""
         nonblocking = NonblockingCall(self._run.stopwatch, self._run.simulation_if_any, lambda: call(*arguments))
-        self._pending = nonblocking
+        self._pending[get_ident()] = nonblocking
         return nonblocking
 
     def watch(self, signal: str, read: Callable[[], Any], kind: Kind[Any]) -> None:
@@ -99,7 +101,7 @@ class SuiteDriver(ABC, Generic[C]):
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """Make and measure the call under test, and return its value."""
-        watch = self._run.stopwatch
+        watch = self.stopwatch
         watch.start()
         returned = call(*arguments)
         watch.stop()
@@ -130,12 +132,12 @@ class SuiteDriver(ABC, Generic[C]):
     def begin_case(self) -> None:
         """Begin a case."""
         self._saved = False
-        self._pending = None
+        self._pending.clear()
         self._run.stubbing.begin()
 
     def give_up(self) -> None:
         """Wait for the end of a nonblocking call that is still running."""
-        pending, self._pending = self._pending, None
+        pending = self._pending.pop(get_ident(), None) if self._pending else None
         if pending is not None:
             pending.give_up()
 

@@ -18,7 +18,9 @@ class NonblockingCall(Generic[T]):
     """Runs a call on a thread; with a simulation, simulation time passes only while the call waits for it."""
 
     def __init__(self, stopwatch: Stopwatch, simulation: Simulation | None, call: Callable[[], T]) -> None:
-        self._stopwatch = stopwatch
+        self._stopwatches = stopwatch
+        # That of a step that overlaps others measures its nonblocking call, too.
+        self._stopwatch = stopwatch.of_this_thread
         self._time = None if simulation is None else simulation.time
         self._call = call
         self._returned: list[T] = []
@@ -27,8 +29,15 @@ class NonblockingCall(Generic[T]):
         if self._time is not None:
             self._time.follow(self._thread)
         self._thread.start()
+        if self._time is not None and not self._time.is_driver:
+            # The caller is a followed thread, too: one of them runs at a time.
+            self._time.await_turn_of(self._thread)
 
     def _run(self) -> None:
+        with self._stopwatches.separate(self._stopwatch):
+            self._call_it()
+
+    def _call_it(self) -> None:
         self._stopwatch.start()
         try:
             self._returned.append(self._call())
@@ -46,7 +55,7 @@ class NonblockingCall(Generic[T]):
         Raises what the component raises.
         """
         if self._time is not None:
-            self._time.pass_until_thread_leaves()
+            self._time.pass_until_leaves(self._thread)
         self._thread.join()
         if self._raised is not None:
             raise self._raised
@@ -58,5 +67,5 @@ class NonblockingCall(Generic[T]):
         Its waits for simulation time raise an exception. Returns when the call has ended.
         """
         if self._time is not None:
-            self._time.give_up()
+            self._time.give_up(self._thread)
         self._thread.join()

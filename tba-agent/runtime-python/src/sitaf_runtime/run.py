@@ -243,12 +243,26 @@ class TestRun:
         further case can run.
         """
         result = CaseResult(step)
+        self.step_begins(result)
+        self.execute_step(driver, step, result)
+        result.set_calls(*self.stubbing.take())
+        self.results.save(result)
+        return not self.took_too_long
+
+    def step_begins(self, result: CaseResult) -> None:
+        """Note in the record of a step when it begins."""
         if self._simulation is not None:
             if not self._in_sequence:
                 self._simulation.call_begins()
             result.began_at(self._simulation.since_call_ns)
         self._in_sequence = True
-        watch = self.stopwatch
+
+    def execute_step(self, driver: SequenceDriver[Any], step: TestStep, result: CaseResult) -> None:
+        """Execute a step in the calling thread, with the stopwatch of this thread.
+
+        Raises when no further case can run.
+        """
+        watch = self.stopwatch.of_this_thread
         watch.reset()
         try:
             driver.run_step(step, result)
@@ -261,10 +275,6 @@ class TestRun:
         finally:
             driver.give_up()
         self._require_simulator()
-        result.set_calls(self.stubbing.calls, self.stubbing.left_out)
-        self.stubbing.begin()
-        self.results.save(result)
-        return not self.took_too_long
 
     def _end(self, result: CaseResult, raised: BaseException) -> None:
         """Save the record of a case that did not save its result. Raises when no further case can run."""
@@ -273,7 +283,7 @@ class TestRun:
 
     def _fail(self, result: CaseResult, raised: BaseException) -> None:
         """Complete the record of a case or step that did not end as planned."""
-        watch = self.stopwatch
+        watch = self.stopwatch.of_this_thread
         called = watch.was_started
         self._require_simulator()
         if isinstance(raised, SimulationError) and raised.lost:

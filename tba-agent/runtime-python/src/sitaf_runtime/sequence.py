@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import TypeVar
+from collections.abc import Set as AbstractSet
+from typing import ClassVar, TypeVar
 
 from sitaf_runtime.driver import SuiteDriver
 from sitaf_runtime.errors import CaseDataError
+from sitaf_runtime.overlapping import OverlappingSteps
 from sitaf_runtime.suite.result import CaseResult, Outcome
 from sitaf_runtime.suite.test_case import TestCase, TestStep
 
@@ -16,8 +18,12 @@ C = TypeVar("C")
 class SequenceDriver(SuiteDriver[C]):
     """The test driver of a model with a sequence.
 
-    A case is a list of steps, each of them a call of the component or an event of its world.
+    A case is a list of steps, each of them a call of the component or an event of its world. The next step begins
+    while one of `OVERLAPPING` runs; at most `AT_ONCE` of them run at once.
     """
+
+    OVERLAPPING: ClassVar[AbstractSet[str]] = frozenset()
+    AT_ONCE: ClassVar[int | None] = None
 
     # The case that is executed, whose initial values may be properties of the component.
     current_case: TestCase
@@ -38,10 +44,13 @@ class SequenceDriver(SuiteDriver[C]):
         """Run one case step by step; the record of each step is written when it ends."""
         self.current_case = test_case
         self.begin_sequence(test_case)
-        for step in test_case.steps:
-            if not self._run.run_step(self, step):
-                self.save_sequence(result)
-                return
+        if any(step.name in self.OVERLAPPING for step in test_case.steps):
+            complete = OverlappingSteps(self._run, self).run(test_case.steps)
+        else:
+            complete = all(self._run.run_step(self, step) for step in test_case.steps)
+        if not complete:
+            self.save_sequence(result)
+            return
         self.stopwatch.reset()
         self.end_sequence(test_case)
         too_long = self._run.took_too_long

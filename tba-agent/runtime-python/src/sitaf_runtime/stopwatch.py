@@ -1,5 +1,7 @@
 """Measures calls of the component."""
 
+from __future__ import annotations
+
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -14,12 +16,14 @@ class Stopwatch:
     Only the thread that started the stopwatch is measured; other threads of the component are not part of the call.
     """
 
-    __slots__ = ("_before_call", "_began", "_called", "_hardware", "_owner", "_stub", "_total")
+    __slots__ = ("_before_call", "_began", "_called", "_hardware", "_others", "_owner", "_stub", "_total")
 
     def __init__(self) -> None:
         self._before_call: Callable[[], None] | None = None
         self._owner = 0
         self._called = False
+        # Stopwatches of steps that overlap, by the thread of the call.
+        self._others: dict[int, Stopwatch] = {}
         self._began = self._total = self._hardware = self._stub = 0
 
     def start(self) -> None:
@@ -38,6 +42,23 @@ class Stopwatch:
             raise RuntimeError("the stopwatch is stopped before it was started")
         self._total = now - self._began
         self._owner = 0
+
+    @contextmanager
+    def separate(self, own: Stopwatch) -> Iterator[None]:
+        """In this context, the calling thread has a stopwatch of its own."""
+        if own is self:
+            yield
+            return
+        self._others[get_ident()] = own
+        try:
+            yield
+        finally:
+            del self._others[get_ident()]
+
+    @property
+    def of_this_thread(self) -> Stopwatch:
+        """The stopwatch of the calling thread: this one, unless it has its own."""
+        return self._others.get(get_ident(), self) if self._others else self
 
     def before_call(self, action: Callable[[], None]) -> None:
         """Add what runs before each measurement, outside of the measured time."""
@@ -81,11 +102,19 @@ class Stopwatch:
         """Count the time since a value of `time.perf_counter_ns` as spent in virtual hardware."""
         if self._owner == get_ident():
             self._hardware += time.perf_counter_ns() - entered
+        elif self._others:
+            other = self.of_this_thread
+            if other is not self:
+                other.leave_hardware(entered)
 
     def leave_stub(self, entered: int) -> None:
         """Count the time since a value of `time.perf_counter_ns` as spent in a stub."""
         if self._owner == get_ident():
             self._stub += time.perf_counter_ns() - entered
+        elif self._others:
+            other = self.of_this_thread
+            if other is not self:
+                other.leave_stub(entered)
 
     @property
     def component_us(self) -> float:

@@ -87,6 +87,12 @@ class Stubbing:
         else:
             self.left_out += 1
 
+    def take(self) -> tuple[list[StubCall], int]:
+        """The calls recorded so far and the number of those left out; later ones belong to another step."""
+        taken = self.calls, self.left_out
+        self.begin()
+        return taken
+
     def let_pass(self, delay_s: float) -> None:
         """Wait for a delayed answer."""
         if self._simulation is None:

@@ -18,7 +18,8 @@ class NonblockingCall {
   template <class Call>
   NonblockingCall(Stopwatch& stopwatch, simulation::Simulation* simulation, Call call) : simulation_(simulation) {
     std::promise<void> begin;
-    std::packaged_task<Returned()> task([&stopwatch, call = std::move(call)]() -> Returned {
+    std::packaged_task<Returned()> task([&stopwatch = stopwatch.ofThisThread(), call = std::move(call)]() -> Returned {
+      const Stopwatch::Separate own(stopwatch);
       stopwatch.start();
       // When the call throws, the stopwatch keeps running, so the run attributes the exception to the component.
       if constexpr (std::is_void_v<Returned>) {
@@ -42,6 +43,10 @@ class NonblockingCall {
       simulation->follow(thread_.get_id());
     }
     begin.set_value();
+    if (simulation != nullptr && !simulation->isDriver()) {
+      // The caller is a followed thread, too: one of them runs at a time.
+      simulation->awaitTurnOf(thread_.get_id());
+    }
   }
   NonblockingCall(const NonblockingCall&) = delete;
   NonblockingCall& operator=(const NonblockingCall&) = delete;
@@ -51,7 +56,7 @@ class NonblockingCall {
   ~NonblockingCall() {
     if (thread_.joinable()) {
       if (simulation_ != nullptr) {
-        simulation_->giveUp();
+        simulation_->giveUp(thread_.get_id());
       }
       thread_.join();
     }
@@ -60,7 +65,7 @@ class NonblockingCall {
   /// Waits for the call and returns its value or throws its exception; meanwhile simulation time passes when the call waits for it.
   Returned outcome() {
     if (simulation_ != nullptr) {
-      simulation_->advanceUntilThreadLeaves();
+      simulation_->advanceUntilLeaves(thread_.get_id());
     }
     thread_.join();
     return outcome_.get();

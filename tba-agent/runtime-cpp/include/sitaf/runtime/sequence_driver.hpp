@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,6 +18,12 @@ class Sequence {
 
   /// Executes a step: makes its call and records its outputs, or sets what its event sets.
   virtual void runStep(const suite::TestStep& step, suite::CaseResult& result) = 0;
+
+  /// Whether the next step begins while this one runs.
+  virtual bool overlaps(const suite::TestStep& /*step*/) const { return false; }
+
+  /// How many overlapping steps run at once at most.
+  virtual std::size_t atOnce() const { return std::numeric_limits<std::size_t>::max(); }
 
  protected:
   Sequence() = default;
@@ -37,14 +45,10 @@ class SequenceDriver : public SuiteDriver<Component>, public Sequence {
   void runCase(const suite::TestCase& testCase, suite::CaseResult& result) final {
     current_ = &testCase;
     beginSequence(testCase);
-    for (const suite::TestStep& step : testCase.steps()) {
-      if (!this->run().runStep(*this, step)) {
-        this->saveSequence(result);
-        return;
-      }
+    if (this->run().runSteps(*this, testCase.steps())) {
+      this->run().endSteps();
+      endSequence(testCase);
     }
-    this->run().endSteps();
-    endSequence(testCase);
     this->saveSequence(result);
   }
 

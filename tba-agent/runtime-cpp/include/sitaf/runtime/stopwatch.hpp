@@ -34,6 +34,21 @@ class Stopwatch {
     running_ = false;
   }
 
+  /// Gives the calling thread a stopwatch of its own while it lives; one that is passed on may be this one.
+  class Separate {
+   public:
+    explicit Separate(Stopwatch& own) : earlier_(ofThread_) { ofThread_ = &own; }
+    ~Separate() { ofThread_ = earlier_; }
+    Separate(const Separate&) = delete;
+    Separate& operator=(const Separate&) = delete;
+
+   private:
+    Stopwatch* earlier_;
+  };
+
+  /// The stopwatch of the calling thread: this one, unless it has its own.
+  Stopwatch& ofThisThread() { return ofThread_ == nullptr ? *this : *ofThread_; }
+
   /// Sets what runs before each measurement, outside of the measured time.
   void beforeCall(std::function<void()> action) { beforeCall_ = std::move(action); }
 
@@ -54,10 +69,10 @@ class Stopwatch {
    public:
     enum class Kind { hardware, stub };
 
-    ExcludedTime(Stopwatch& watch, Kind kind) : watch_(watch), kind_(kind) {
-      counts_ = watch.running_ && watch.owner_ == std::this_thread::get_id() && !watch.excluded_;
+    ExcludedTime(Stopwatch& watch, Kind kind) : watch_(watch.ofThisThread()), kind_(kind) {
+      counts_ = watch_.running_ && watch_.owner_ == std::this_thread::get_id() && !watch_.excluded_;
       if (counts_) {
-        watch.excluded_ = true;
+        watch_.excluded_ = true;
         entered_ = std::chrono::steady_clock::now();
       }
     }
@@ -95,9 +110,13 @@ class Stopwatch {
   static double micros(Span span) { return std::chrono::duration<double, std::micro>(span).count(); }
 
   std::function<void()> beforeCall_;
-  std::thread::id owner_;
+  // Without overhead where a thread has none; constant initialisation needs no guard.
+  inline static thread_local Stopwatch* ofThread_ = nullptr;
+
+  // Other threads of the component read it.
+  std::atomic<std::thread::id> owner_{};
   std::atomic<bool> running_{false};
-  bool called_ = false;
+  std::atomic<bool> called_{false};
   bool excluded_ = false;
   Moment began_;
   Span total_{};

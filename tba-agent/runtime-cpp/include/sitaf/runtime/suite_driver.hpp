@@ -47,7 +47,7 @@ class Driver {
   virtual void runCase(const suite::TestCase& testCase, suite::CaseResult& result) = 0;
 
   /// Measures the call under test.
-  Stopwatch& stopwatch() { return run_.stopwatch(); }
+  Stopwatch& stopwatch() { return run_.stopwatch().ofThisThread(); }
 
   /// Writes the result of the case, with the time of its call, to the results file.
   void save(suite::CaseResult& result);

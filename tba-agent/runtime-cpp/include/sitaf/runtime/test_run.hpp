@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sitaf/hardware.hpp"
 #include "sitaf/runtime/cannot_run.hpp"
@@ -67,9 +68,9 @@ class TestRun {
   /// Writes a result to the results file.
   void save(suite::CaseResult& result);
 
-  /// Executes a step of a sequence and writes its record. An exception ends the step, not the sequence. Returns whether the next step can
-  /// be executed: not when the case took too much simulation time. Throws when no further case can run.
-  bool runStep(Sequence& sequence, const suite::TestStep& step);
+  /// Executes the steps of a sequence and writes their records. An exception ends a step, not the sequence. Returns whether all were
+  /// executed: not when the case took too much simulation time. Throws when no further case can run.
+  bool runSteps(Sequence& sequence, const std::vector<suite::TestStep>& steps);
 
   /// The steps of a sequence have ended; what fails from now on is not a call.
   void endSteps();

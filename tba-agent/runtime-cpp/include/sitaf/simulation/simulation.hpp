@@ -62,11 +62,20 @@ class Simulation {
   /// Stops following the calling thread, which calls this at its end.
   void leave();
 
-  /// Lets time pass until the followed thread leaves.
-  void advanceUntilThreadLeaves();
+  /// Whether the calling thread is the one that advances time.
+  bool isDriver();
 
-  /// Stops following the thread: its current and later waits throw a SimulationError.
-  void giveUp();
+  /// Waits until a followed thread leaves, or has left; in the driver's thread time passes meanwhile.
+  void advanceUntilLeaves(std::thread::id thread);
+
+  /// Lets time pass, in the driver's thread, until a followed thread has reached something or has left.
+  void advanceUntil(std::thread::id thread, const std::function<bool()>& reached);
+
+  /// Waits in real time until a followed thread waits for simulation time or has left.
+  void awaitTurnOf(std::thread::id thread);
+
+  /// Stops following a thread: its current and later waits throw a SimulationError.
+  void giveUp(std::thread::id thread);
 
   /// Limits the simulation time of each case; a call that exceeds it throws CaseTooLong.
   void limitCases(std::chrono::nanoseconds most);

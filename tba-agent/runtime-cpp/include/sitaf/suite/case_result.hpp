@@ -62,6 +62,13 @@ class CaseResult {
   /// Sets the outcome of a case that did not return; the reason is appended to the message.
   void endWith(Outcome outcome, std::string_view reason);
 
+  /// Ends a step that was stopped before its end; how it reacted to that does not count.
+  void stopped(std::string_view reason) {
+    thrown_.clear();
+    message_.clear();
+    endWith(Outcome::error, reason);
+  }
+
   /// Whether the component was called and nothing else failed.
   bool isRepeatable() const { return outcome_ == Outcome::returned || outcome_ == Outcome::threw; }
 

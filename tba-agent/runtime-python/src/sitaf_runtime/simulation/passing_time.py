@@ -2,12 +2,17 @@
 
 That is at each of its periods, and when a wait of one of its threads ends. Time is counted in steps since the case
 was prepared; only the driver's thread advances it.
+
+Followed threads make this deterministic: time advances only while each of them waits for it, and those that continue
+at the same step do so one after the other, in the order in which they were followed, each until it waits again or
+leaves.
 """
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from math import inf
 
 from sitaf_runtime.errors import SimulationError
 
@@ -21,9 +26,13 @@ class PassingTime:
         self._changed = threading.Condition()
         self._driver = threading.get_ident()
         self._step = 0
-        self._waiting: dict[threading.Thread, int] = {}
-        self._followed: threading.Thread | None = None
-        self._given_up: threading.Thread | None = None
+        # The step at which each waiting thread continues; without end until another thread leaves.
+        self._waiting: dict[threading.Thread, float] = {}
+        # In the order of their beginning.
+        self._followed: list[threading.Thread] = []
+        self._given_up: set[threading.Thread] = set()
+        # The thread that waits until the key leaves.
+        self._joining: dict[threading.Thread, threading.Thread] = {}
         self._ended = False
         self._period_ns = 0
         self._tick: Callable[[], object] | None = None
@@ -50,7 +59,8 @@ class PassingTime:
             self._driver = threading.get_ident()
             self._step = 0
             self._tick = None
-            self._followed = None
+            self._followed = []
+            self._joining.clear()
             if self._waiting:
                 self._waiting.clear()
                 self._changed.notify_all()
@@ -68,26 +78,51 @@ class PassingTime:
         thread is started.
         """
         with self._changed:
-            self._followed = thread
-            self._given_up = None
+            self._followed = [*self._followed, thread]
 
     def leave(self) -> None:
         """Stop following the calling thread, which calls this at its end."""
+        me = threading.current_thread()
         with self._changed:
-            if self._followed is threading.current_thread():
-                self._followed = None
-                self._changed.notify_all()
+            self._given_up.discard(me)
+            self._unfollow(me)
 
-    def pass_until_thread_leaves(self) -> None:
-        """Let time pass until the followed thread leaves; do nothing when no thread is followed."""
-        while steps := self._awaited():
+    @property
+    def is_driver(self) -> bool:
+        """Whether the calling thread is the one that advances time."""
+        return threading.get_ident() == self._driver
+
+    def pass_until_leaves(self, thread: threading.Thread) -> None:
+        """Wait until a followed thread leaves, or has left; in the driver's thread time passes meanwhile."""
+        if self.is_driver:
+            self.pass_until(thread, lambda: False)
+        else:
+            self._join(thread)
+
+    def pass_until(self, thread: threading.Thread, reached: Callable[[], bool]) -> None:
+        """Let time pass, in the driver's thread, until a followed thread has reached something or has left."""
+        while (steps := self._until_next(thread)) and not reached():
             self._move(steps)
 
-    def give_up(self) -> None:
-        """Stop following the thread: its current and later waits raise an exception."""
+    def await_turn_of(self, thread: threading.Thread) -> None:
+        """Wait in real time until a followed thread waits for simulation time or has left."""
         with self._changed:
-            self._given_up = self._followed
-            self._followed = None
+            while thread in self._followed and thread not in self._waiting:
+                self._changed.wait()
+
+    def give_up(self, thread: threading.Thread) -> None:
+        """Stop following a thread: its current and later waits raise an exception."""
+        with self._changed:
+            if thread in self._followed:
+                self._given_up.add(thread)
+                self._unfollow(thread)
+
+    def _unfollow(self, thread: threading.Thread) -> None:
+        if thread in self._followed:
+            self._followed = [other for other in self._followed if other is not thread]
+            joiner = self._joining.pop(thread, None)
+            if joiner is not None:
+                self._waiting.pop(joiner, None)
             self._changed.notify_all()
 
     def end(self) -> None:
@@ -112,14 +147,24 @@ class PassingTime:
             self._await_followed()
             stops = [end, *(target for target in list(self._waiting.values()) if target > self._step)]
             due = self._next_tick()
-            stop = min(stops if due is None else [*stops, due])
+            stop = int(min(stops if due is None else [*stops, due]))
             self._move_world(stop - self._step)
             with self._changed:
                 self._step = stop
-                self._waiting = {thread: target for thread, target in self._waiting.items() if target > stop}
-                self._changed.notify_all()
+                self._continue_due()
             self._tick_if_due()
         self._await_followed()
+
+    def _continue_due(self) -> None:
+        """End the waits that are over; followed threads continue one after the other."""
+        for thread in [t for t, target in self._waiting.items() if target <= self._step and t not in self._followed]:
+            del self._waiting[thread]
+        self._changed.notify_all()
+        for thread in self._followed:
+            if self._waiting.get(thread, inf) <= self._step:
+                del self._waiting[thread]
+                self._changed.notify_all()
+                self._await_all()
 
     def _next_tick(self) -> int | None:
         if self._tick is None or self._ticking:
@@ -143,26 +188,43 @@ class PassingTime:
         return self._begin + -(-self._count * self._period_ns // self._timestep_ns)
 
     def _await(self, steps: int) -> None:
+        with self._changed:
+            self._waiting[threading.current_thread()] = self._step + steps
+            self._wait_until_removed()
+
+    def _join(self, other: threading.Thread) -> None:
+        """Wait until another thread leaves."""
         me = threading.current_thread()
         with self._changed:
-            self._waiting[me] = self._step + steps
-            self._changed.notify_all()
-            while me in self._waiting and me is not self._given_up and not self._ended:
-                self._changed.wait()
-            if me is self._given_up:
-                self._waiting.pop(me, None)
-                raise SimulationError("the case has ended, and its simulation time no longer advances")
+            if other in self._followed:
+                self._joining[other] = me
+                self._waiting[me] = inf
+                self._wait_until_removed()
+
+    def _wait_until_removed(self) -> None:
+        me = threading.current_thread()
+        self._changed.notify_all()
+        while me in self._waiting and me not in self._given_up and not self._ended:
+            self._changed.wait()
+        if me in self._given_up:
+            self._waiting.pop(me, None)
+            raise SimulationError("the case has ended, and its simulation time no longer advances")
 
     def _await_followed(self) -> None:
-        """Wait until the followed thread waits for simulation time or has left."""
-        if self._followed is None:
+        """Wait until each followed thread waits for simulation time or has left."""
+        if not self._followed:
             return
         with self._changed:
-            while self._followed is not None and self._followed not in self._waiting:
-                self._changed.wait()
+            self._await_all()
 
-    def _awaited(self) -> int:
-        """Steps that the followed thread waits for; 0 when it has left."""
-        self._await_followed()
-        thread = self._followed
-        return 0 if thread is None else self._waiting[thread] - self._step
+    def _await_all(self) -> None:
+        while any(thread not in self._waiting for thread in self._followed):
+            self._changed.wait()
+
+    def _until_next(self, thread: threading.Thread) -> int:
+        """Steps until the first followed thread continues; 0 when this one has left."""
+        with self._changed:
+            self._await_all()
+            if thread not in self._followed:
+                return 0
+            return int(min(self._waiting[each] for each in self._followed)) - self._step

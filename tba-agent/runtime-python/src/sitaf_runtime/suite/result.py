@@ -116,6 +116,11 @@ class CaseResult:
         self._outcome = outcome
         self._message = f"{self._message}; {reason}" if self._message else reason
 
+    def stopped(self, reason: str) -> None:
+        """End a step that was stopped before its end; how it reacted to that does not count."""
+        self._thrown = self._message = ""
+        self.end_with(Outcome.ERROR, reason)
+
     @property
     def is_repeatable(self) -> bool:
         """Whether the component was called and nothing else failed."""

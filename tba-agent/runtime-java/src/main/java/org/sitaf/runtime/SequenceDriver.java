@@ -33,20 +33,39 @@ public abstract class SequenceDriver<C> extends SuiteDriver<C> {
   /** Lets the time after the last step pass. */
   protected abstract void endSequence(TestCase testCase) throws Exception;
 
+  /** Whether the next step begins while this one runs. */
+  protected boolean overlaps(TestStep step) {
+    return false;
+  }
+
+  /** How many steps run at once at most. */
+  protected int atOnce() {
+    return Integer.MAX_VALUE;
+  }
+
   @Override
   protected final void runCase(TestCase testCase, CaseResult result) throws Exception {
     current = testCase;
     beginSequence(testCase);
+    boolean complete =
+        testCase.steps().stream().anyMatch(this::overlaps)
+            ? OverlappingSteps.run(run(), this, testCase.steps(), atOnce())
+            : runInTurn(testCase);
+    if (complete) {
+      run().endSteps();
+      endSequence(testCase);
+    }
+    saveSequence(result);
+  }
+
+  /** Executes each step after the one before; returns whether all were executed. */
+  private boolean runInTurn(TestCase testCase) throws Exception {
     for (TestStep step : testCase.steps()) {
-      CaseResult ofStep = new CaseResult(step);
-      if (!run().runStep(this, step, ofStep)) {
-        saveSequence(result);
-        return;
+      if (!run().runStep(this, step, new CaseResult(step))) {
+        return false;
       }
     }
-    run().endSteps();
-    endSequence(testCase);
-    saveSequence(result);
+    return true;
   }
 
   /** The case that is executed, whose initial values may be properties of the component. */

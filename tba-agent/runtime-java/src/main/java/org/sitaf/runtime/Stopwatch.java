@@ -1,5 +1,7 @@
 package org.sitaf.runtime;
 
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,7 +14,14 @@ public final class Stopwatch {
 
   private Runnable beforeCall = () -> {};
   private volatile @Nullable Thread owner;
-  private boolean called;
+
+  /** Stopwatches of steps that overlap, by the thread of the call. */
+  private final Map<Thread, Stopwatch> others = new ConcurrentHashMap<>();
+
+  /** Whether there are others; it keeps their lookup out of every call of hardware. */
+  private volatile boolean hasOthers;
+
+  private volatile boolean called;
   private long began;
   private long total;
   private long hardware;
@@ -43,6 +52,28 @@ public final class Stopwatch {
     owner = null;
   }
 
+  /**
+   * From now on, the calling thread has a stopwatch of its own.
+   *
+   * @param own also measures a nonblocking call that this thread begins
+   */
+  public void separate(Stopwatch own) {
+    others.put(Thread.currentThread(), own);
+    hasOthers = true;
+  }
+
+  /** Ends {@link #separate} for the calling thread. */
+  public void rejoin() {
+    others.remove(Thread.currentThread());
+    hasOthers = !others.isEmpty();
+  }
+
+  /** The stopwatch of the calling thread: this one, unless it has its own. */
+  public Stopwatch ofThisThread() {
+    Stopwatch other = hasOthers ? others.get(Thread.currentThread()) : null;
+    return other == null ? this : other;
+  }
+
   /** Sets what runs before each measurement, outside of the measured time. */
   void beforeCall(Runnable action) {
     beforeCall = action;
@@ -71,15 +102,17 @@ public final class Stopwatch {
 
   /** Counts the time since {@link #enter} as spent in virtual hardware. */
   public void leaveHardware(long entered) {
-    if (Thread.currentThread() == owner) {
-      hardware += System.nanoTime() - entered;
+    Stopwatch watch = ofThisThread();
+    if (Thread.currentThread() == watch.owner) {
+      watch.hardware += System.nanoTime() - entered;
     }
   }
 
   /** Counts the time since {@link #enter} as spent in a stub. */
   public void leaveStub(long entered) {
-    if (Thread.currentThread() == owner) {
-      stub += System.nanoTime() - entered;
+    Stopwatch watch = ofThisThread();
+    if (Thread.currentThread() == watch.owner) {
+      watch.stub += System.nanoTime() - entered;
     }
   }
 

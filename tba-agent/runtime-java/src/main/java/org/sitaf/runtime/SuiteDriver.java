@@ -3,8 +3,10 @@ package org.sitaf.runtime;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.component.DataPort;
 import org.sitaf.runtime.component.Hooks;
@@ -23,7 +25,10 @@ public abstract class SuiteDriver<C> {
   private final Hooks hooks;
   private @Nullable C component;
   private @Nullable Object started;
-  private @Nullable NonblockingCall<?> pending;
+
+  /** Nonblocking calls whose outcome is not yet collected, by the thread that began each. */
+  private final Map<Thread, NonblockingCall<?>> pending = new ConcurrentHashMap<>();
+
   private boolean saved;
 
   /**
@@ -109,13 +114,13 @@ public abstract class SuiteDriver<C> {
   protected final <T> NonblockingCall<T> callNonblocking(Callable<T> call) {
     NonblockingCall<T> nonblocking =
         NonblockingCall.begin(run.stopwatch(), run.simulationIfAny(), call);
-    pending = nonblocking;
+    pending.put(Thread.currentThread(), nonblocking);
     return nonblocking;
   }
 
   /** Measures the call under test. */
   protected final Stopwatch stopwatch() {
-    return run.stopwatch();
+    return run.stopwatch().ofThisThread();
   }
 
   /** Writes the result of the case, with the time of its call, to the results file. */
@@ -140,8 +145,7 @@ public abstract class SuiteDriver<C> {
 
   /** Ends a nonblocking call whose outcome was not collected. */
   final void giveUpCall() throws InterruptedException {
-    NonblockingCall<?> begunCall = pending;
-    pending = null;
+    NonblockingCall<?> begunCall = pending.remove(Thread.currentThread());
     if (begunCall != null) {
       begunCall.giveUp();
     }
@@ -150,7 +154,7 @@ public abstract class SuiteDriver<C> {
   /** Runs a case and returns whether its result was saved. */
   final boolean runAndSave(TestCase testCase, CaseResult result) throws Exception {
     saved = false;
-    pending = null;
+    pending.clear();
     try {
       runCase(testCase, result);
     } finally {

@@ -285,7 +285,7 @@ public final class TestRun {
         System.err.println(
             "sitaf: after case " + testCase.no() + ": " + ThrownByComponent.describe(thrown));
       } else {
-        end(result, thrown);
+        end(result, thrown, stopwatch);
         save(result);
       }
     } finally {
@@ -305,6 +305,15 @@ public final class TestRun {
    */
   <C> boolean runStep(SequenceDriver<C> driver, TestStep step, CaseResult result)
       throws IOException, InterruptedException {
+    stepBegins(result);
+    boolean goesOn = executeStep(driver, step, result) == null;
+    stubbing.moveTo(result);
+    results.save(result);
+    return goesOn;
+  }
+
+  /** Notes in the record of a step when it begins. */
+  void stepBegins(CaseResult result) {
     if (simulation != null) {
       if (!inSequence) {
         simulation.callBegins();
@@ -312,26 +321,44 @@ public final class TestRun {
       result.beganAt(simulation.sinceCall());
     }
     inSequence = true;
-    stopwatch.reset();
-    boolean goesOn = true;
+  }
+
+  /**
+   * Executes a step in the calling thread, with the stopwatch of this thread.
+   *
+   * @return the exception when the case took too much simulation time
+   * @throws RuntimeException when no further case can run
+   */
+  <C> @Nullable CaseTooLongException executeStep(
+      SequenceDriver<C> driver, TestStep step, CaseResult result) throws InterruptedException {
+    Stopwatch watch = stopwatch.ofThisThread();
+    watch.reset();
+    CaseTooLongException tooLong = null;
     try {
       driver.runStep(step, result);
-      if (stopwatch.wasStarted()) {
-        setTime(result);
+      if (watch.wasStarted()) {
+        setTime(result, watch);
       }
     } catch (Throwable thrown) {
-      goesOn = !(thrown instanceof CaseTooLongException);
-      end(result, thrown);
+      tooLong = thrown instanceof CaseTooLongException found ? found : null;
+      end(result, thrown, watch);
     } finally {
       driver.giveUpCall();
     }
     if (simulation != null) {
       simulation.requireNotLost();
     }
-    stubbing.writeTo(result);
-    stubbing.begin();
+    return tooLong;
+  }
+
+  /** Moves the calls of stubs so far to the record of the step that began last. */
+  void moveCallsTo(CaseResult result) {
+    stubbing.moveTo(result);
+  }
+
+  /** Writes the record of a step that is complete. */
+  void saveStep(CaseResult result) throws IOException {
     results.save(result);
-    return goesOn;
   }
 
   /** The steps of a sequence have ended; what fails from now on is not a call. */
@@ -339,8 +366,8 @@ public final class TestRun {
     stopwatch.reset();
   }
 
-  private void setTime(CaseResult result) {
-    result.setTime(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+  private static void setTime(CaseResult result, Stopwatch watch) {
+    result.setTime(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
   }
 
   /**
@@ -348,7 +375,7 @@ public final class TestRun {
    *
    * @throws RuntimeException the given exception, when no further case can run
    */
-  private void end(CaseResult result, Throwable thrown) {
+  private void end(CaseResult result, Throwable thrown, Stopwatch watch) {
     // An interrupt that the component leaves behind must not affect the next case.
     Thread.interrupted();
     if (simulation != null) {
@@ -356,9 +383,9 @@ public final class TestRun {
     }
     if (thrown instanceof CaseTooLongException tooLong) {
       result.endWith(Outcome.ERROR, String.valueOf(tooLong.getMessage()));
-    } else if (stopwatch.isRunning()) {
-      stopwatch.stop();
-      setTime(result);
+    } else if (watch.isRunning()) {
+      watch.stop();
+      setTime(result, watch);
       result.threw(thrown, ThrownByComponent.describe(thrown));
     } else if (thrown instanceof CannotRunException cannotRun) {
       throw cannotRun;
@@ -367,7 +394,7 @@ public final class TestRun {
         throw refused;
       }
       result.endWith(
-          stopwatch.wasStarted() ? Outcome.ERROR : Outcome.NOT_CALLED,
+          watch.wasStarted() ? Outcome.ERROR : Outcome.NOT_CALLED,
           String.valueOf(refused.getMessage()));
     } else if (thrown instanceof CaseDataException unreadable) {
       result.endWith(Outcome.NOT_CALLED, String.valueOf(unreadable.getMessage()));

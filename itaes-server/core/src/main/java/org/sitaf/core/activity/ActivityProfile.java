@@ -125,7 +125,9 @@ public record ActivityProfile(
     /** Invalid accesses to memory: AddressSanitizer. */
     ADDRESS,
     /** Undefined behaviour, such as an overflow of a signed integer: UBSan. */
-    UNDEFINED;
+    UNDEFINED,
+    /** Accesses of several threads without an order: ThreadSanitizer. */
+    THREAD;
 
     /** The name in documents, and in the option {@code -fsanitize} of compilers. */
     public String id() {

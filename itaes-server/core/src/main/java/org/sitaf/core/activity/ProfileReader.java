@@ -287,7 +287,12 @@ final class ProfileReader {
               found::add,
               () ->
                   root.problem(
-                      "sanitize", "must list address and undefined only, not '" + name + "'"));
+                      "sanitize",
+                      "must list address, undefined and thread only, not '" + name + "'"));
+    }
+    if (found.containsAll(Set.of(Sanitizer.ADDRESS, Sanitizer.THREAD))) {
+      root.problem(
+          "sanitize", "cannot list both address and thread, because a compiler adds only one");
     }
     if (!found.isEmpty() && (component.language() != Language.CPP || harness != Language.CPP)) {
       root.problem("sanitize", "is only allowed for components in C++; remove it");

@@ -260,9 +260,11 @@ class ActivityTest {
 
   @Test
   void sanitizersAreOnlyForComponentsInCpp() {
-    replace("activity.yaml", "provided:", "sanitize: [address, thread]\nprovided:");
+    replace("activity.yaml", "provided:", "sanitize: [address, thread, leak]\nprovided:");
     assertThat(problems())
-        .anyMatch(p -> p.contains("sanitize: must list address and undefined only, not 'thread'"))
+        .anyMatch(
+            p -> p.contains("sanitize: must list address, undefined and thread only, not 'leak'"))
+        .anyMatch(p -> p.contains("sanitize: cannot list both address and thread"))
         .anyMatch(p -> p.contains("sanitize: is only allowed for components in C++; remove it"));
   }
 

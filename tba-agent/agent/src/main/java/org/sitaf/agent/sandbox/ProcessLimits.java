@@ -20,8 +20,8 @@ public record ProcessLimits(
   public static final ProcessLimits TOOL =
       new ProcessLimits(2048, 256, 1024, Duration.ofMinutes(10));
 
-  /** More than the shadow memory of AddressSanitizer on 64-bit machines, 16 TiB. */
-  private static final long RESERVED_BYTES = 32L << 40;
+  /** More than the shadow memory of ThreadSanitizer, which is most of the 128 TiB of a process. */
+  private static final long RESERVED_BYTES = 128L << 40;
 
   public ProcessLimits {
     Objects.requireNonNull(cpu);

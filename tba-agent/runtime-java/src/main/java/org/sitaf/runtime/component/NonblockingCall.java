@@ -19,7 +19,8 @@ public final class NonblockingCall<T> {
 
   private NonblockingCall(Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
     this.simulation = simulation;
-    this.thread = new Thread(() -> run(stopwatch, call), "call under test");
+    Stopwatch own = stopwatch.ofThisThread();
+    this.thread = new Thread(() -> run(stopwatch, own, call), "call under test");
     thread.setDaemon(true);
   }
 
@@ -35,10 +36,17 @@ public final class NonblockingCall<T> {
       simulation.time().follow(nonblocking.thread);
     }
     nonblocking.thread.start();
+    if (simulation != null && !simulation.time().isDriver()) {
+      // The caller is a followed thread, too: one of them runs at a time.
+      simulation.time().awaitTurnOf(nonblocking.thread);
+    }
     return nonblocking;
   }
 
-  private void run(Stopwatch stopwatch, Callable<T> call) {
+  private void run(Stopwatch whole, Stopwatch stopwatch, Callable<T> call) {
+    if (stopwatch != whole) {
+      whole.separate(stopwatch);
+    }
     stopwatch.start();
     try {
       returned = call.call();
@@ -47,6 +55,9 @@ public final class NonblockingCall<T> {
       // The stopwatch keeps running, so the run attributes the exception to the component.
       thrown = e;
     } finally {
+      if (stopwatch != whole) {
+        whole.rejoin();
+      }
       if (simulation != null) {
         simulation.time().leave();
       }
@@ -60,7 +71,7 @@ public final class NonblockingCall<T> {
    */
   public @Nullable T outcome() throws Exception {
     if (simulation != null) {
-      simulation.time().passUntilThreadLeaves();
+      simulation.time().passUntilLeaves(thread);
     }
     thread.join();
     Throwable problem = thrown;
@@ -79,7 +90,7 @@ public final class NonblockingCall<T> {
    */
   public void giveUp() throws InterruptedException {
     if (simulation != null) {
-      simulation.time().giveUp();
+      simulation.time().giveUp(thread);
     }
     thread.join();
   }

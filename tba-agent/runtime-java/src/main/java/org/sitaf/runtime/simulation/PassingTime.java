@@ -1,9 +1,14 @@
 package org.sitaf.runtime.simulation;
 
 import java.time.Duration;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 
@@ -11,6 +16,10 @@ import org.jspecify.annotations.Nullable;
  * Advances simulation time in pieces that end when the component has something to do: at each of
  * its periods, and when a wait of one of its threads ends. Time is counted in steps since the case
  * was prepared; only the driver's thread advances it.
+ *
+ * <p>Followed threads make this deterministic: time advances only while each of them waits for it,
+ * and those that continue at the same step do so one after the other, in the order in which they
+ * were followed, each until it waits again or leaves.
  */
 public final class PassingTime {
   private final long timestepNanos;
@@ -25,8 +34,15 @@ public final class PassingTime {
   private long maxSteps = Long.MAX_VALUE;
   private Duration limit = Duration.ZERO;
   private @Nullable Periods periods;
-  private @Nullable Thread followed;
-  private @Nullable Thread givenUp;
+
+  /** In the order of their beginning. */
+  private final Set<Thread> followed = new LinkedHashSet<>();
+
+  private final Set<Thread> givenUp = new HashSet<>();
+
+  /** The thread that waits until the key leaves. */
+  private final Map<Thread, Thread> joining = new HashMap<>();
+
   private boolean ended;
 
   /**
@@ -68,7 +84,8 @@ public final class PassingTime {
     settledSteps = stepsIn(settled);
     driver = Thread.currentThread();
     periods = null;
-    followed = null;
+    followed.clear();
+    joining.clear();
     waiting.clear();
     step = 0;
     notifyAll();
@@ -87,30 +104,67 @@ public final class PassingTime {
    * in every run. Call this before the thread is started.
    */
   public synchronized void follow(Thread thread) {
-    followed = thread;
-    givenUp = null;
+    followed.add(thread);
   }
 
   /** Stops following the calling thread, which calls this at its end. */
   public synchronized void leave() {
-    if (followed == Thread.currentThread()) {
-      followed = null;
+    Thread self = Thread.currentThread();
+    givenUp.remove(self);
+    if (followed.remove(self)) {
+      Thread joiner = joining.remove(self);
+      if (joiner != null) {
+        waiting.remove(joiner);
+      }
       notifyAll();
     }
   }
 
-  /** Lets time pass until the followed thread leaves; does nothing when no thread is followed. */
-  public void passUntilThreadLeaves() {
-    for (long steps = awaited(); steps > 0; steps = awaited()) {
+  /** Whether the calling thread is the one that advances time. */
+  public boolean isDriver() {
+    return Thread.currentThread() == driver;
+  }
+
+  /**
+   * Waits until a followed thread leaves, or has left. In the driver's thread time passes
+   * meanwhile.
+   */
+  public void passUntilLeaves(Thread thread) {
+    if (Thread.currentThread() == driver) {
+      passUntil(thread, () -> false);
+    } else {
+      join(thread);
+    }
+  }
+
+  /** Lets time pass, in the driver's thread, until a followed thread has reached something. */
+  public void passUntil(Thread thread, BooleanSupplier reached) {
+    while (true) {
+      long steps = untilNext(thread);
+      if (steps == 0 || reached.getAsBoolean()) {
+        return;
+      }
       move(steps);
     }
   }
 
-  /** Stops following the thread: its current and later waits throw an exception. */
-  public synchronized void giveUp() {
-    givenUp = followed;
-    followed = null;
-    notifyAll();
+  /** Waits in real time until a followed thread waits for simulation time or has left. */
+  public synchronized void awaitTurnOf(Thread thread) {
+    while (followed.contains(thread) && !waiting.containsKey(thread)) {
+      waitHere();
+    }
+  }
+
+  /** Stops following a thread: its current and later waits throw an exception. */
+  public synchronized void giveUp(Thread thread) {
+    if (followed.remove(thread)) {
+      givenUp.add(thread);
+      Thread joiner = joining.remove(thread);
+      if (joiner != null) {
+        waiting.remove(joiner);
+      }
+      notifyAll();
+    }
   }
 
   synchronized void end() {
@@ -151,12 +205,27 @@ public final class PassingTime {
       simulator.accept(stop - step);
       synchronized (this) {
         step = stop;
-        waiting.values().removeIf(target -> target <= step);
-        notifyAll();
+        continueDue();
       }
       tickIfDue();
     }
     awaitFollowed();
+  }
+
+  /** Ends the waits that are over; followed threads continue one after the other. */
+  private void continueDue() {
+    waiting
+        .entrySet()
+        .removeIf(wait -> wait.getValue() <= step && !followed.contains(wait.getKey()));
+    notifyAll();
+    for (Thread thread : List.copyOf(followed)) {
+      Long target = waiting.get(thread);
+      if (target != null && target <= step) {
+        waiting.remove(thread);
+        notifyAll();
+        awaitFollowed();
+      }
+    }
   }
 
   private long nextTick() {
@@ -198,31 +267,50 @@ public final class PassingTime {
   }
 
   private synchronized void await(long steps) {
+    waiting.put(Thread.currentThread(), step + steps);
+    waitUntilRemoved();
+  }
+
+  /** Waits until another thread leaves. */
+  private synchronized void join(Thread other) {
+    if (followed.contains(other)) {
+      joining.put(other, Thread.currentThread());
+      waiting.put(Thread.currentThread(), Long.MAX_VALUE);
+      waitUntilRemoved();
+    }
+  }
+
+  private void waitUntilRemoved() {
     Thread self = Thread.currentThread();
-    waiting.put(self, step + steps);
     notifyAll();
-    while (waiting.containsKey(self) && self != givenUp && !ended) {
+    while (waiting.containsKey(self) && !givenUp.contains(self) && !ended) {
       waitHere();
     }
-    if (self == givenUp) {
+    if (givenUp.contains(self)) {
       waiting.remove(self);
       throw new SimulationException(
           "the case has ended, and its simulation time no longer advances");
     }
   }
 
-  /** Waits until the followed thread waits for simulation time or has left. */
+  /** Waits until each followed thread waits for simulation time or has left. */
   private synchronized void awaitFollowed() {
-    while (followed != null && !waiting.containsKey(followed)) {
+    while (!waiting.keySet().containsAll(followed)) {
       waitHere();
     }
   }
 
-  /** Steps that the followed thread waits for; 0 when it has left. */
-  private synchronized long awaited() {
+  /** Steps until the first followed thread continues; 0 when this one has left. */
+  private synchronized long untilNext(Thread thread) {
     awaitFollowed();
-    Thread thread = followed;
-    return thread == null ? 0 : Objects.requireNonNull(waiting.get(thread)) - step;
+    if (!followed.contains(thread)) {
+      return 0;
+    }
+    long next = Long.MAX_VALUE;
+    for (Thread each : followed) {
+      next = Math.min(next, waiting.getOrDefault(each, Long.MAX_VALUE));
+    }
+    return next - step;
   }
 
   private void waitHere() {

@@ -38,4 +38,10 @@ final class StubCalls {
     }
     result.addCallsLeftOut(leftOut);
   }
+
+  /** Moves the calls so far to a result. */
+  synchronized void moveTo(CaseResult result) {
+    writeTo(result);
+    clear();
+  }
 }

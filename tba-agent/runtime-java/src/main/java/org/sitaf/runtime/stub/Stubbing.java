@@ -33,6 +33,11 @@ public final class Stubbing {
     calls.writeTo(result);
   }
 
+  /** Moves the calls so far to the result of a step; later ones belong to another step. */
+  public void moveTo(CaseResult result) {
+    calls.moveTo(result);
+  }
+
   Stopwatch stopwatch() {
     return stopwatch;
   }

@@ -118,6 +118,13 @@ public final class CaseResult {
     message = message.isEmpty() ? reason : message + "; " + reason;
   }
 
+  /** Ends a step that was stopped before its end; how it reacted to that does not count. */
+  public void stopped(String reason) {
+    thrown = "";
+    message = "";
+    endWith(Outcome.ERROR, reason);
+  }
+
   /** Whether the component was called and nothing else failed. */
   public boolean isRepeatable() {
     return outcome == Outcome.RETURNED || outcome == Outcome.THREW;

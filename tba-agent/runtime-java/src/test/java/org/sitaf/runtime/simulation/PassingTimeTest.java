@@ -101,12 +101,12 @@ class PassingTimeTest {
     Thread component = beginFollowed(() -> act(acted, 5));
 
     time.pass(Duration.ofMillis(4));
-    time.passUntilThreadLeaves();
+    time.passUntilLeaves(component);
     component.join();
 
     assertThat(acted).containsExactly(0L, 3L, 6L, 9L, 12L);
     assertThat(now.get()).isEqualTo(15);
-    time.passUntilThreadLeaves();
+    time.passUntilLeaves(component);
     assertThat(now.get()).isEqualTo(15);
   }
 
@@ -125,14 +125,69 @@ class PassingTimeTest {
             });
     time.limit(Duration.ofMillis(20));
 
-    assertThatThrownBy(time::passUntilThreadLeaves)
+    assertThatThrownBy(() -> time.passUntilLeaves(component))
         .isInstanceOf(CaseTooLongException.class)
         .hasMessage("the case took more than 0.02 s of simulation time");
-    time.giveUp();
+    time.giveUp(component);
     component.join();
 
     assertThat(acted).containsExactly(0L, 3L, 6L, 9L);
     assertThat(thrown).singleElement().asString().contains("the case has ended");
+  }
+
+  @Test
+  void wakesFollowedThreadsInTheOrderOfTheirBeginning() throws Exception {
+    List<String> acted = Collections.synchronizedList(new ArrayList<>());
+    List<Thread> components = new ArrayList<>();
+    for (String name : List.of("first", "second", "third")) {
+      components.add(
+          beginFollowed(
+              () -> {
+                for (int i = 0; i < 3; i++) {
+                  time.pass(Duration.ofMillis(6));
+                  // The others would act meanwhile if they ran at the same time.
+                  Thread.yield();
+                  acted.add(name + " " + now.get());
+                  Thread.yield();
+                }
+              }));
+      time.awaitTurnOf(components.get(components.size() - 1));
+    }
+
+    for (Thread component : components) {
+      time.passUntilLeaves(component);
+    }
+
+    assertThat(acted)
+        .containsExactly(
+            "first 3",
+            "second 3",
+            "third 3",
+            "first 6",
+            "second 6",
+            "third 6",
+            "first 9",
+            "second 9",
+            "third 9");
+  }
+
+  @Test
+  void letsAFollowedThreadWaitUntilAnotherLeaves() throws Exception {
+    List<Long> acted = Collections.synchronizedList(new ArrayList<>());
+    Thread[] inner = new Thread[1];
+    Thread outer =
+        beginFollowed(
+            () -> {
+              inner[0] = beginFollowed(() -> act(acted, 2));
+              time.awaitTurnOf(inner[0]);
+              time.passUntilLeaves(inner[0]);
+              acted.add(-now.get());
+            });
+
+    time.passUntilLeaves(outer);
+    outer.join();
+
+    assertThat(acted).containsExactly(0L, 3L, -6L);
   }
 
   @Test

@@ -24,8 +24,15 @@ record SequenceDriverView(
     boolean settles,
     boolean runOn,
     List<Choice> choices,
+    List<String> overlapping,
+    @Nullable Integer atOnce,
     List<Call> calls,
     List<Event> events) {
+
+  /** Whether a step may overlap the next one. */
+  boolean overlaps() {
+    return !overlapping.isEmpty();
+  }
 
   /** Which method executes a step. */
   record Choice(String condition, String call) {}
@@ -48,6 +55,7 @@ record SequenceDriverView(
   record Event(String documentation, String method, String statement) {}
 
   static SequenceDriverView of(CppPlan plan) {
+    HarnessPlan.Sequence sequence = Objects.requireNonNull(plan.plan().sequence());
     List<Choice> choices = new ArrayList<>();
     List<Call> calls = new ArrayList<>();
     List<Event> events = new ArrayList<>();
@@ -86,6 +94,8 @@ record SequenceDriverView(
         plan.isPeriodic() && plan.hasWorld(),
         plan.runsOn(),
         choices,
+        sequence.overlapping().stream().map(n -> "step.name() == " + CppText.string(n)).toList(),
+        sequence.threads() > 1 ? Integer.valueOf(sequence.threads()) : null,
         calls,
         events);
   }

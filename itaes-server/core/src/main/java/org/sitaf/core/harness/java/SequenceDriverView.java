@@ -27,8 +27,15 @@ record SequenceDriverView(
     boolean periodic,
     boolean runOn,
     List<Choice> choices,
+    List<String> overlapping,
+    @Nullable Integer atOnce,
     List<Call> calls,
     List<Event> events) {
+
+  /** Whether a step may overlap the next one. */
+  boolean overlaps() {
+    return !overlapping.isEmpty();
+  }
 
   /** Which method executes a step. */
   record Choice(String name, String call) {}
@@ -84,6 +91,8 @@ record SequenceDriverView(
         plan.period() != null,
         SimulationControlView.runsOn(plan),
         choices,
+        plan.overlapping().stream().map(JavaText::string).toList(),
+        plan.threads() > 1 ? Integer.valueOf(plan.threads()) : null,
         calls,
         events);
   }

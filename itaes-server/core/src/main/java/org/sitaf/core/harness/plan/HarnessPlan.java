@@ -75,12 +75,20 @@ public record HarnessPlan(
    *
    * @param properties parameters of the suite that are properties or constructor arguments of the
    *     component
+   * @param threads from how many threads the calls are made; with 1, only calls that overlap have
+   *     threads of their own
    */
-  public record Sequence(List<CallStep> calls, List<EventStep> events, List<Given> properties) {
+  public record Sequence(
+      List<CallStep> calls, List<EventStep> events, List<Given> properties, int threads) {
     public Sequence {
       calls = List.copyOf(calls);
       events = List.copyOf(events);
       properties = List.copyOf(properties);
+    }
+
+    /** The calls during which the next step begins. */
+    public List<String> overlapping() {
+      return calls.stream().filter(c -> c.overlap() || threads > 1).map(CallStep::name).toList();
     }
   }
 
@@ -88,8 +96,9 @@ public record HarnessPlan(
    * A call as a step.
    *
    * @param call the plan of its method, arguments, outputs and times
+   * @param overlap whether the next step begins while the call runs
    */
-  public record CallStep(String name, HarnessPlan call) {
+  public record CallStep(String name, HarnessPlan call, boolean overlap) {
     public CallStep {
       Objects.requireNonNull(name);
       Objects.requireNonNull(call);

@@ -56,23 +56,12 @@ final class SequencePlanner {
       calls.add(call(whole, steps.calls().get(i), targets.get(i)));
     }
     List<EventStep> events = steps.events().stream().map(this::event).toList();
-    return with(whole, new Sequence(calls, events, properties()));
+    return with(whole, new Sequence(calls, events, properties(), steps.threads()));
   }
 
   private void refuseUnsupported() {
-    if (steps.threads() > 1) {
-      problem(
-          steps.line(),
-          "sequence_spec",
-          "threads=\"" + steps.threads() + "\" is not supported yet; remove the attribute");
-    }
+    refuseThreads();
     for (SequenceCall call : steps.calls()) {
-      if (call.overlap()) {
-        problem(
-            call.line(),
-            "call " + call.name(),
-            "overlap=\"true\" is not supported yet; remove the attribute");
-      }
       for (InputElement input : call.model().inputs()) {
         if (input.kind() != InputKind.TDI) {
           problem(
@@ -96,6 +85,27 @@ final class SequencePlanner {
     if (activity.profile().reference() != null) {
       diagnostics.error(
           HarnessPlanner.PROFILE, 0, "reference", "is not supported for a model with a sequence");
+    }
+  }
+
+  /** Nodes of ROS 2 have one thread of callbacks, which the harness schedules itself. */
+  private void refuseThreads() {
+    if (activity.profile().ros() == null) {
+      return;
+    }
+    if (steps.threads() > 1) {
+      problem(
+          steps.line(),
+          "sequence_spec",
+          "threads=\"" + steps.threads() + "\" is not supported for nodes of ROS 2; remove it");
+    }
+    for (SequenceCall call : steps.calls()) {
+      if (call.overlap()) {
+        problem(
+            call.line(),
+            "call " + call.name(),
+            "overlap=\"true\" is not supported for nodes of ROS 2; remove it");
+      }
     }
   }
 
@@ -134,7 +144,7 @@ final class SequencePlanner {
             whole.limits(),
             List.of(),
             null);
-    return new CallStep(call.name(), plan);
+    return new CallStep(call.name(), plan, call.overlap());
   }
 
   private EventStep event(SequenceEvent event) {

@@ -20,6 +20,8 @@ record SequenceDriverView(
     String suiteLife,
     boolean hasNotHooks,
     String notHooks,
+    @Nullable String overlapping,
+    @Nullable Integer atOnce,
     String newSimulationControl,
     String make,
     boolean hasInputs,
@@ -57,6 +59,7 @@ record SequenceDriverView(
 
   static SequenceDriverView of(PythonPlan plan) {
     HarnessPlan neutral = plan.neutral();
+    HarnessPlan.Sequence sequence = Objects.requireNonNull(neutral.sequence());
     List<String> notHooks = Hooks.among(neutral.provided(), PythonNames::snakeCase);
     List<Choice> choices = new ArrayList<>();
     List<Call> calls = new ArrayList<>();
@@ -84,6 +87,14 @@ record SequenceDriverView(
                 notHooks.stream().map(PythonText::string).toList(),
                 notHooks.size() == 1 ? ",)" : ")")
             .at(4),
+        sequence.overlapping().isEmpty()
+            ? null
+            : new Group(
+                    "OVERLAPPING = frozenset({",
+                    sequence.overlapping().stream().map(PythonText::string).toList(),
+                    "})")
+                .at(4),
+        sequence.threads() > 1 ? Integer.valueOf(sequence.threads()) : null,
         new Group(
                 "self.simulation_control = SimulationControl(",
                 neutral.world() == null ? List.of() : List.of("run.simulation"),

@@ -62,6 +62,11 @@ record CppApplication(
       // Leaks are searched by attaching to the process, which the sandbox refuses.
       environment.put("ASAN_OPTIONS", "detect_leaks=0:quarantine_size_mb=64");
       environment.put("UBSAN_OPTIONS", "print_stacktrace=1");
+      // Libraries of the machine are compiled without it, so it cannot see how they synchronise.
+      environment.put(
+          "TSAN_OPTIONS",
+          "halt_on_error=1:ignore_noninstrumented_modules=1:report_thread_leaks=0"
+              + ":report_signal_unsafe=0");
     }
     return environment;
   }

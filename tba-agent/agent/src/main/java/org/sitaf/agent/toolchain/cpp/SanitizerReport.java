@@ -5,12 +5,18 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Reads the reports of AddressSanitizer and UBSan in an error stream, which a component may forge.
+ * Reads the reports of AddressSanitizer, UBSan and ThreadSanitizer in an error stream, which a
+ * component may forge.
  */
 final class SanitizerReport {
   /** {@code SUMMARY: AddressSanitizer: heap-buffer-overflow FILE:LINE in FUNCTION}. */
   private static final Pattern SUMMARY =
-      Pattern.compile("SUMMARY: (?:Address|UndefinedBehavior)Sanitizer: ([\\w-]{1,60})(?: .*)?");
+      Pattern.compile(
+          "SUMMARY: (?:Address|UndefinedBehavior|Thread)Sanitizer: ([\\w-]{1,60})(?: .*)?");
+
+  /** {@code WARNING: ThreadSanitizer: data race (pid=7)}. */
+  private static final Pattern THREADS =
+      Pattern.compile("WARNING: ThreadSanitizer: ([\\w -]{1,60}?) \\(.*");
 
   /** {@code FILE:LINE:COLUMN: runtime error: MESSAGE}. */
   private static final Pattern UNDEFINED =
@@ -18,7 +24,8 @@ final class SanitizerReport {
 
   /** {@code #3 0x55d0 in FUNCTION FILE:LINE}. */
   private static final Pattern FRAME =
-      Pattern.compile("\\s*#\\d{1,4} 0x[0-9a-f]+ in .*?\\s(\\S{1,500}?):(\\d{1,9})(?::\\d{1,9})?");
+      Pattern.compile(
+          "\\s*#\\d{1,4} .{1,2000}?\\s(\\S{1,500}?):(\\d{1,9})(?::\\d{1,9})?(?: \\(.*\\))?");
 
   /** Sources of the user in the layout of a test application. */
   private static final Pattern OWN = Pattern.compile("(?:.*/)?activity/(.+)");
@@ -36,10 +43,15 @@ final class SanitizerReport {
     for (String line : (Iterable<String>) errors.lines()::iterator) {
       Matcher error = UNDEFINED.matcher(line);
       Matcher summary = SUMMARY.matcher(line);
+      Matcher threads = THREADS.matcher(line);
       if (error.matches()) {
         begun = true;
         undefined = error.group(3).strip();
         place = placeOf(error);
+      } else if (threads.matches()) {
+        begun = true;
+        undefined = threads.group(1);
+        place = "";
       } else if (line.contains("ERROR: AddressSanitizer: ")) {
         begun = true;
         undefined = "";

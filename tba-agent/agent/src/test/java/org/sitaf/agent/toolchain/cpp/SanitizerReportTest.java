@@ -54,6 +54,25 @@ class SanitizerReportTest {
   }
 
   @Test
+  void readsDataRaces() {
+    String report =
+        """
+        ==================
+        WARNING: ThreadSanitizer: data race (pid=4242)
+          Write of size 4 at 0x7b0400000010 by thread T2:
+            #0 std::vector<int>::push_back(int const&) /usr/include/c++/12/bits/stl_vector.h:1287 (hold+0x1a2b)
+            #1 Arm::Move(int) activity/component/arm.cpp:21 (hold+0x1a2b)
+
+          Previous write of size 4 at 0x7b0400000010 by thread T1:
+            #0 Arm::Stop() activity/component/arm.cpp:44 (hold+0x1a2b)
+
+        SUMMARY: ThreadSanitizer: data race activity/component/arm.cpp:21 in Arm::Move(int)
+        ==================
+        """;
+    assertThat(SanitizerReport.cause(report)).contains("data race at arm.cpp:21");
+  }
+
+  @Test
   void aReportOutsideOfTheUsersSourcesHasNoLine() {
     assertThat(SanitizerReport.cause(OVERFLOW.replace("activity/", "harness/")))
         .contains("heap-buffer-overflow");

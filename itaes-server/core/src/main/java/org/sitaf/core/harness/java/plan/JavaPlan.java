@@ -33,6 +33,8 @@ import org.sitaf.core.description.Direction;
  * @param callName name of the driver's method that makes the call
  * @param steps of a sequence; empty if a case is one call
  * @param caseProperties parameters of the suite that are properties of the component
+ * @param overlapping steps during which the next one begins
+ * @param threads from how many threads the steps are called
  */
 public record JavaPlan(
     String modelName,
@@ -59,7 +61,9 @@ public record JavaPlan(
     List<String> errors,
     String callName,
     List<Step> steps,
-    List<String> caseProperties) {
+    List<String> caseProperties,
+    List<String> overlapping,
+    int threads) {
 
   /**
    * A parameter of the method under test.

@@ -124,7 +124,9 @@ public final class JavaPlanner {
         steps(),
         plan.sequence() == null
             ? List.of()
-            : plan.sequence().properties().stream().map(HarnessPlan.Given::column).toList());
+            : plan.sequence().properties().stream().map(HarnessPlan.Given::column).toList(),
+        plan.sequence() == null ? List.of() : plan.sequence().overlapping(),
+        plan.sequence() == null ? 1 : plan.sequence().threads());
   }
 
   private List<JavaPlan.Step> steps() {
