@@ -13,7 +13,7 @@ from sitaf_runtime.suite.kinds import INT64
 
 if TYPE_CHECKING:
     from sitaf_runtime.ros.lines import Lines
-    from sitaf_runtime.ros.plan import Plan, Topic
+    from sitaf_runtime.ros.plan import Call, Plan, Topic
 
 # The contract's limit on the recorded messages of a case.
 MOST_MESSAGES = 1_000
@@ -59,7 +59,8 @@ class CaseRun:
         self._world = World(lines, begun["world"]) if plan.world else None
         self._fields = Fields(application.classes.message)
         self._schedule = Schedule()
-        self._inputs: list[tuple[Topic, dict[str, Any]]] = []
+        # By the place of the input in the activity.
+        self._inputs: dict[int, tuple[Topic, dict[str, Any]]] = {}
         self._odometry: dict[str, Odometry] = {}
         self._step = 0
         self._sent: dict[str, int] = {}
@@ -74,18 +75,48 @@ class CaseRun:
 
     def run(self) -> dict[str, Any]:
         """Run the case and return its record. Raises what the node's callbacks raise, and CallFailedError."""
-        plan = self._plan
         self._system = self._application.start(self._settings())
         self._connect()
         self._system.run_until(0)
-        self._advance(plan.settle_ns)
+        if self._plan.call is not None:
+            return self._make(self._plan.call)
+        self._advance(self._plan.settle_ns)
+        self._run_steps()
+        self._advance(self._system.now_ns + self._plan.run_for_ns)
+        return {"actual": {}, "calls": self._taken_calls(), "thrown": "", "message": ""}
+
+    def _run_steps(self) -> None:
+        """Make the calls that the process of the test driver names, one after the other."""
+        answer = self._lines.ask({"ready": True, "now_ns": self._system.now_ns})
+        while "call" in answer:
+            self._values = answer["values"]
+            try:
+                record = self._make(self._plan.calls[answer["call"]])
+            except CallFailedError as e:
+                # Ends the step, not the sequence.
+                record = {"error": str(e), "calls": self._taken_calls()}
+            answer = self._lines.ask({"stepped": record, "now_ns": self._system.now_ns})
+
+    def _make(self, call: Call) -> dict[str, Any]:
+        """Make a call and return its record."""
+        self._advance(self._system.now_ns + call.settle_ns)
+        # Messages before the call do not count.
+        self._calls[:] = [made for made in self._calls if not made[0].startswith(f"{_INTERFACE}.")]
         self._call_ns = self._system.now_ns
         self._called = True
+        self._last = {}
+        self._count = dict.fromkeys(self._count, 0)
         self._lines.ask({"called": True})
-        outcome = self._publish() if plan.target["kind"] == "publish" else self._service()
+        outcome = self._publish(call) if call.target["kind"] == "publish" else self._service(call)
         self._lines.ask({"returned": True})
-        self._advance(self._system.now_ns + plan.run_for_ns)
-        return self._record(outcome)
+        self._advance(self._system.now_ns + call.run_for_ns)
+        return self._record(call, outcome)
+
+    def _taken_calls(self) -> list[tuple[str, dict[str, str]]]:
+        """The messages and calls since they were last taken."""
+        taken = list(self._calls)
+        self._calls.clear()
+        return taken
 
     def close(self) -> None:
         """End the node; what it does then is not recorded."""
@@ -221,11 +252,14 @@ class CaseRun:
 
     # The call.
 
-    def _publish(self) -> dict[str, Any]:
-        topics = {topic.input: topic for topic in self._plan.topics if topic.input}
-        for order, name in enumerate(self._plan.target["inputs"]):
-            topic = topics[name]
-            self._inputs.append((topic, self._given(topic.type, name)))
+    def _publish(self, call: Call) -> dict[str, Any]:
+        for order, topic in enumerate(topic for topic in self._plan.topics if topic.input):
+            name = topic.input
+            if name not in call.target["inputs"]:
+                continue
+            # What an earlier step has left to publish of this input is replaced.
+            self._schedule.cancel(order)
+            self._inputs[order] = (topic, self._given(call, topic.type, name))
             self._schedule.add(order, Publishing.of(self._values, name).times_ns(self._call_ns))
         self._publish_due(self._call_ns)
         self._system.run_until(self._call_ns)
@@ -236,10 +270,10 @@ class CaseRun:
             topic, fields = self._inputs[order]
             self._system.publish(topic.name, topic.type, copy.deepcopy(fields))
 
-    def _given(self, type_: str, root: str) -> dict[str, Any]:
+    def _given(self, call: Call, type_: str, root: str) -> dict[str, Any]:
         """The fields that the case names for a message."""
         fields: dict[str, Any] = {}
-        for entry in self._plan.inputs:
+        for entry in call.inputs:
             if entry["root"] == root:
                 try:
                     fields = self._fields.put(fields, type_, entry["path"], self._values[entry["column"]])
@@ -247,8 +281,8 @@ class CaseRun:
                     raise ValueError(f"{entry['column']}: {e}") from e
         return fields
 
-    def _service(self) -> dict[str, Any]:
-        target = self._plan.target
+    def _service(self, call: Call) -> dict[str, Any]:
+        target = call.target
         type_, name = target["type"], target["name"]
         class_ = self._application.classes.message(type_)
         is_action = target["kind"] == "action"
@@ -256,7 +290,7 @@ class CaseRun:
         answered = class_.Result if is_action else class_.Response
         request = {}
         for field, field_type in asked.get_fields_and_field_types().items():
-            given = self._given_field(field, field_type)
+            given = self._given_field(call, field, field_type)
             if given is not None:
                 request[field] = given
         feedback: list[Any] = []
@@ -271,9 +305,9 @@ class CaseRun:
                 return {"thrown": "GoalRejected", "message": f"{name} rejects the goal"}
             result = goal.result
         else:
-            call = self._system.call_service(name, type_, request)
-            self._await(lambda: call.done, lambda: call.error, name)
-            result = call.response
+            request_sent = self._system.call_service(name, type_, request)
+            self._await(lambda: request_sent.done, lambda: request_sent.error, name)
+            result = request_sent.response
         values = self._system.fields(result)
         types = dict(answered.get_fields_and_field_types())
         taken = set(asked.get_fields_and_field_types())
@@ -282,9 +316,9 @@ class CaseRun:
             answers[free("feedback", "action_", taken)] = ("", feedback)
         return {"answers": answers}
 
-    def _given_field(self, field: str, type_: str) -> Any:
+    def _given_field(self, call: Call, field: str, type_: str) -> Any:
         value: Any = None
-        for entry in self._plan.inputs:
+        for entry in call.inputs:
             if entry["root"] == field:
                 value = self._fields._put(value, type_, entry["path"], self._values[entry["column"]])
         return value
@@ -306,11 +340,11 @@ class CaseRun:
 
     # The record.
 
-    def _record(self, outcome: dict[str, Any]) -> dict[str, Any]:
+    def _record(self, call: Call, outcome: dict[str, Any]) -> dict[str, Any]:
         answers: dict[str, tuple[str, Any]] = outcome.get("answers", {})
         actual: dict[str, str] = {}
         types = {topic.output: topic.type for topic in self._plan.topics if topic.output}
-        for output in self._plan.outputs:
+        for output in call.outputs:
             name, root, path = output["name"], output["root"], output["path"]
             if output["source"] == "count" and root in types:
                 actual[name] = str(self._count[root])
@@ -327,7 +361,7 @@ class CaseRun:
                 actual[name] = self._part(type_, value, path)
         return {
             "actual": actual,
-            "calls": self._calls,
+            "calls": self._taken_calls(),
             "thrown": outcome.get("thrown", ""),
             "message": outcome.get("message", ""),
         }

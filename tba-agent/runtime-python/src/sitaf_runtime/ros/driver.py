@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
@@ -44,6 +45,23 @@ class RosTestDriver(SuiteDriver[object]):
 
     def run_case(self, test_case: TestCase, result: CaseResult) -> None:
         """Run one case and save its result."""
+        simulation = self.begin_node(test_case)
+        record: dict[str, Any] | None = None
+        try:
+            message = self.next_message(simulation)
+            while "ended" not in message:
+                record = message["record"]
+                message = self.next_message(simulation)
+        finally:
+            self._node.abandon()
+            if self.stopwatch.is_running:
+                self.stopwatch.stop()
+        call = self._plan.call
+        self.complete(result, record, message["ended"], () if call is None else call.outputs)
+        self.save(result)
+
+    def begin_node(self, test_case: TestCase) -> Simulation | None:
+        """Prepare the world of a case, and begin the case in the process of the node."""
         simulation = self._run.simulation if self._plan.world else None
         world = None
         if simulation is not None:
@@ -51,22 +69,15 @@ class RosTestDriver(SuiteDriver[object]):
             simulation.prepare(parameters, call_after_s=self._plan.settle_ns / 1e9)
             world = {"timestep_ns": simulation.time.timestep_ns, "readings": self._begin_readings(simulation)}
         self._node.begin({"values": dict(test_case.values), "world": world})
-        record: dict[str, Any] | None = None
-        try:
-            while True:
-                message = self._node.next()
-                if "ended" in message:
-                    break
-                if "record" in message:
-                    record = message["record"]
-                else:
-                    self._node.answer(self._answer(message, simulation))
-        finally:
-            self._node.abandon()
-            if self.stopwatch.is_running:
-                self.stopwatch.stop()
-        self._complete(result, record, message["ended"], simulation)
-        self.save(result)
+        return simulation
+
+    def next_message(self, simulation: Simulation | None) -> dict[str, Any]:
+        """Answer what the node's process asks for until it has ended, or has a record or a place for a step."""
+        while True:
+            message = self._node.next()
+            if any(name in message for name in ("ended", "record", "ready", "stepped")):
+                return message
+            self._node.answer(self._answer(message, simulation))
 
     def _answer(self, message: dict[str, Any], simulation: Simulation | None) -> dict[str, Any]:
         if "called" in message:
@@ -111,22 +122,23 @@ class RosTestDriver(SuiteDriver[object]):
     def _numbers(simulation: Simulation, device: str) -> list[float]:
         return simulation.numbers(device)
 
-    def _complete(
-        self, result: CaseResult, record: dict[str, Any] | None, ended: str, simulation: Simulation | None
+    def complete(
+        self, result: CaseResult, record: dict[str, Any] | None, ended: str, outputs: Sequence[dict[str, Any]] = ()
     ) -> None:
+        """Complete the record of a case or a step by that of the node's process."""
         for note in (record or {}).get("notes", []):
             result.note(note)
+        for method, arguments in (record or {}).get("calls", []):
+            self._run.stubbing.calls.append(StubCall(method, arguments))
         if record is None or "error" in record or ended:
             reason = (record or {}).get("error") or ended or "the process of the node ended before the case"
             result.end_with(Outcome.ERROR, reason)
             return
         for name, literal in record["actual"].items():
             result.record_literal(name, literal)
-        for output in self._plan.outputs:
-            if output["source"] == "observed" and simulation is not None:
-                result.record(output["name"], simulation.observation(output["name"]), FLOAT64)
-        for method, arguments in record["calls"]:
-            self._run.stubbing.calls.append(StubCall(method, arguments))
+        for output in outputs:
+            if output["source"] == "observed":
+                result.record(output["name"], self._run.simulation.observation(output["name"]), FLOAT64)
         if record["thrown"]:
             result.threw(type(record["thrown"], (Exception,), {})(), record["message"])
 

@@ -66,6 +66,11 @@ class Schedule:
         if first is not None:
             heapq.heappush(self._heap, (first, order, times))
 
+    def cancel(self, order: int) -> None:
+        """Drop what is still to come of an input."""
+        self._heap = [entry for entry in self._heap if entry[1] != order]
+        heapq.heapify(self._heap)
+
     def next_ns(self) -> int | None:
         """The time of the next publication; None for never."""
         return self._heap[0][0] if self._heap else None

@@ -31,6 +31,7 @@ import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
 import org.sitaf.core.timing.Timing;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.value.TestDataGenerator;
 
@@ -117,6 +118,11 @@ final class ModelAgainstActivity {
   private void initialInputs() {
     for (InputElement input : model.inputs()) {
       wholeValues(input);
+      if (ros != null && RosElements.isOne(input)) {
+        RosElements.initialProblem(input)
+            .ifPresent(p -> error(input.line(), "test_element " + input.name(), p));
+        continue;
+      }
       switch (input.kind()) {
         case TDI -> {
           // A property or constructor argument, which the component's profile need not declare.
@@ -312,7 +318,12 @@ final class ModelAgainstActivity {
     } else if (world != null) {
       TrajectoryConditions.compile(
           model,
-          Stream.of(WorldSignals.of(world), messageSignals, PortSignals.of(outputPorts))
+          Stream.of(
+                  WorldSignals.of(world),
+                  // The messages of a sequence count from the call of each step.
+                  model.sequence() == null ? messageSignals : List.<String>of(),
+                  PortSignals.of(outputPorts),
+                  model.sequence() == null ? List.<String>of() : List.of(SequenceSpec.STEP))
               .flatMap(List::stream)
               .toList(),
           lists(),

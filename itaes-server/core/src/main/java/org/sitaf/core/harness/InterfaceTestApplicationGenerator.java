@@ -69,12 +69,6 @@ public final class InterfaceTestApplicationGenerator {
    * @throws InvalidInputException as {@link #generate}
    */
   public static FileTree sources(Activity activity, TestModel model, TestSuite suite) {
-    if (activity.ros() != null && model.sequence() != null) {
-      throw InvalidInputException.of(
-          model.source(),
-          "sequence_spec: sequences of calls of ROS 2 nodes cannot be executed yet; test an adapter"
-              + " in Python or C++, or one call per case");
-    }
     if (activity.ros() != null) {
       return RosHarness.write(activity, model, suite);
     }

@@ -51,7 +51,9 @@ final class CaseSignals {
     this.listener = listener;
     WorldDescription world = application.activity().world();
     List<String> sampled = world == null ? List.of() : WorldSignals.of(world);
-    List<String> sent = application.activity().messageSignals();
+    boolean sequence = application.model().sequence() != null;
+    // The messages of a sequence count from the call of each step.
+    List<String> sent = sequence ? List.of() : application.activity().messageSignals();
     List<Port.Data> ports = application.activity().outputPorts();
     Diagnostics diagnostics = new Diagnostics();
     Limits limits = application.activity().profile().limits();

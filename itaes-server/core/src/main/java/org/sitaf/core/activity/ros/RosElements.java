@@ -45,17 +45,29 @@ public final class RosElements {
     return output.equals(MemberPath.root(output) + COUNT);
   }
 
-  /** What is wrong with one of these elements in a model of a method. */
-  public static Optional<String> problem(InputElement input, Method method, RosNode node) {
+  /** What is wrong with one of these elements that holds from the start of a sequence. */
+  public static Optional<String> initialProblem(InputElement input) {
+    return MemberPath.root(input.name()).equals(RosNode.PUBLISH)
+        ? Optional.of("says when a call publishes its input; move it to the call of a sequence")
+        : ofStart(input);
+  }
+
+  /** What is wrong with the order of callbacks or a parameter. */
+  private static Optional<String> ofStart(InputElement input) {
     if (input.kind() == InputKind.TDSD) {
       return isInteger(input.type())
           ? Optional.empty()
           : Optional.of("is a whole number, such as abstract_type NUMERIC, real_type int");
     }
-    if (input.name().startsWith(PARAMETER)) {
-      return PARAMETER_NAME.matcher(input.name()).matches()
-          ? Optional.empty()
-          : Optional.of("is not the name of a parameter, such as parameter.max_speed");
+    return PARAMETER_NAME.matcher(input.name()).matches()
+        ? Optional.empty()
+        : Optional.of("is not the name of a parameter, such as parameter.max_speed");
+  }
+
+  /** What is wrong with one of these elements in a model of a method. */
+  public static Optional<String> problem(InputElement input, Method method, RosNode node) {
+    if (input.kind() == InputKind.TDSD || input.name().startsWith(PARAMETER)) {
+      return ofStart(input);
     }
     Matcher publish = PUBLISH.matcher(input.name());
     boolean known =

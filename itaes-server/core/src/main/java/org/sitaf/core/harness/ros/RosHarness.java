@@ -34,6 +34,7 @@ import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestSuite;
 
@@ -79,6 +80,20 @@ public final class RosHarness {
           start(ConcreteTestDriver)
       """;
 
+  private static final String SEQUENCE_DRIVER =
+      DRIVER
+          .replace("Runs the test cases", "Runs the sequences")
+          .replace(
+              "from sitaf_runtime.ros.driver import RosTestDriver\n"
+                  + "from sitaf_runtime.run import start",
+              "from sitaf_runtime.ros.sequence import RosSequenceDriver\n"
+                  + "from sitaf_runtime.run import start")
+          .replace("RosTestDriver", "RosSequenceDriver")
+          .replace(
+              "Publishes the inputs, calls services and records the outputs.",
+              "Publishes inputs and calls services step by step, and records the outputs of each"
+                  + " step.");
+
   private RosHarness() {}
 
   /**
@@ -91,13 +106,14 @@ public final class RosHarness {
     Diagnostics diagnostics = new Diagnostics();
     Map<String, Object> plan = plan(activity, ros, model, suite, diagnostics);
     diagnostics.throwIfErrors();
+    String base = model.sequence() == null ? DRIVER : SEQUENCE_DRIVER;
     String driver = new PythonHarness().editableFile(model.name());
     String folder = driver.substring(0, driver.lastIndexOf('/') + 1);
     Map<String, byte[]> files = new HashMap<>();
     files.put("sitaf_harness/__init__.py", bytes("\"\"\"Test applications.\"\"\"\n"));
     files.put(
         folder + "__init__.py", bytes("\"\"\"The test application of one test model.\"\"\"\n"));
-    files.put(driver, bytes(DRIVER));
+    files.put(driver, bytes(base));
     files.put(folder + "plan.json", bytes(JsonText.of(plan)));
     ros.files().forEach((path, content) -> files.put(INTERFACES + "/" + path, content));
     return FileTree.of(files);
@@ -109,27 +125,36 @@ public final class RosHarness {
       TestModel model,
       TestSuite suite,
       Diagnostics diagnostics) {
-    TargetMethod target;
-    try {
-      target = TargetMethod.find(model, activity.provided());
-    } catch (IllegalArgumentException e) {
-      throw InvalidInputException.of(model.source(), "target: " + e.getMessage());
-    }
+    SequenceSpec sequence = model.sequence();
     Map<String, Object> plan = new LinkedHashMap<>();
     plan.put("node", node(activity, ros.node(), diagnostics));
     plan.put("life_cycle", activity.profile().component().lifeCycle().name());
     plan.put("topics", topics(ros.node(), activity.world()));
-    plan.put("target", target(activity, target));
+    if (sequence == null) {
+      plan.put("target", target(activity, model));
+    } else {
+      plan.put("steps", RosSteps.of(activity, model, sequence, diagnostics));
+    }
     plan.put("settle", model.target().settle().toNanos() / NANOS);
     plan.put("run_for", model.target().runFor().toNanos() / NANOS);
     plan.put("case_sim_s", activity.profile().limits().caseSimulation().toNanos() / NANOS);
     plan.put("world", activity.world() != null);
     plan.put("settings", settings(suite));
-    plan.put("inputs", inputs(suite));
+    if (sequence == null) {
+      plan.put(
+          "inputs",
+          inputs(
+              suite.parameters().stream()
+                  .filter(p -> p.kind() == InputKind.TDI)
+                  .map(CaseParameter::name)
+                  .toList()));
+    }
     plan.put("required", required(activity));
     plan.put("answers", answers(suite));
     plan.put("parameters", parameters(suite));
-    plan.put("outputs", model.outputs().stream().map(RosHarness::output).toList());
+    if (sequence == null) {
+      plan.put("outputs", outputs(model));
+    }
     return plan;
   }
 
@@ -193,7 +218,14 @@ public final class RosHarness {
     return topics;
   }
 
-  private static Map<String, Object> target(Activity activity, TargetMethod target) {
+  /** What the call of a model publishes or calls. */
+  static Map<String, Object> target(Activity activity, TestModel model) {
+    TargetMethod target;
+    try {
+      target = TargetMethod.find(model, activity.provided());
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of(model.source(), "target: " + e.getMessage());
+    }
     Map<String, Object> entry = new LinkedHashMap<>();
     if (target.declaring().name().equals(RosNode.INTERFACE)) {
       entry.put("kind", "publish");
@@ -239,17 +271,16 @@ public final class RosHarness {
         .toList();
   }
 
-  private static List<Object> inputs(TestSuite suite) {
+  /** The inputs that are parts of messages and requests, by the names of all inputs. */
+  static List<Object> inputs(List<String> names) {
     List<Object> inputs = new ArrayList<>();
-    for (CaseParameter parameter : suite.parameters()) {
-      String root = MemberPath.root(parameter.name());
-      if (parameter.kind() == InputKind.TDI
-          && !root.equals(RosNode.PUBLISH)
-          && !root.equals("parameter")) {
+    for (String name : names) {
+      String root = MemberPath.root(name);
+      if (!root.equals(RosNode.PUBLISH) && !root.equals("parameter")) {
         Map<String, Object> entry = new LinkedHashMap<>();
-        entry.put("column", parameter.name());
+        entry.put("column", name);
         entry.put("root", root);
-        entry.put("path", path(parameter.name()));
+        entry.put("path", path(name));
         inputs.add(entry);
       }
     }
@@ -305,6 +336,11 @@ public final class RosHarness {
       }
     }
     return parameters;
+  }
+
+  /** What is recorded of a call. */
+  static List<Map<String, Object>> outputs(TestModel model) {
+    return model.outputs().stream().map(RosHarness::output).toList();
   }
 
   private static Map<String, Object> output(OutputElement output) {
