@@ -30,8 +30,8 @@ import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
-import org.sitaf.core.timing.Timing;
 import org.sitaf.core.model.sequence.SequenceSpec;
+import org.sitaf.core.timing.Timing;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.value.TestDataGenerator;
 
