@@ -74,7 +74,7 @@ def test_serve_ends_cleanly_on_a_signal(number: signal.Signals) -> None:
         bridge.create(ir_world())
         bridge.channel.close()
         process.send_signal(number)
-        _, errors = process.communicate(timeout=20)
+        _, errors = process.communicate(timeout=120)
         assert (process.returncode, errors) == (0, "")
 
 
@@ -84,7 +84,7 @@ def test_serve_ends_with_its_standard_input() -> None:
         assert process.stdin is not None
         assert process.poll() is None
         process.stdin.close()
-        assert process.wait(20) == 0
+        assert process.wait(120) == 0
 
 
 @pytest.mark.slow
@@ -96,7 +96,7 @@ def test_serve_ends_with_its_parent() -> None:
             time.sleep(1)
             assert process.poll() is None
             parent.kill()
-            assert process.wait(20) == 0
+            assert process.wait(120) == 0
     finally:
         parent.kill()
         parent.wait()

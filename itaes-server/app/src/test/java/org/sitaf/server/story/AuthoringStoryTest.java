@@ -320,10 +320,16 @@ class AuthoringStoryTest extends ServerTest {
 
   private String build(FakeAgent agent, String suiteId, List<Integer> failing) {
     String id = api.build(suiteId);
-    var assignment = agent.nextAssignment();
-    TestApplication application = agent.download(assignment);
-    agent.submit(assignment.getAttempt(), FakeAgent.result(application, failing));
-    return id;
+    // A build that another test left in the queue, or an attempt that took too long, is not it.
+    while (true) {
+      var assignment = agent.nextAssignment();
+      TestApplication application = agent.download(assignment);
+      boolean stored =
+          agent.submit(assignment.getAttempt(), FakeAgent.result(application, failing));
+      if (stored && assignment.getAttempt().getBuildId().equals(id)) {
+        return id;
+      }
+    }
   }
 
   private static int sum(JsonNode items, String field) {

@@ -27,7 +27,7 @@ import org.sitaf.core.verdict.Verdict;
  * and forged lines in the results channel make the build suspect.
  */
 @Tag("slow")
-@Timeout(300)
+@Timeout(600)
 class ForgedResultsTest {
   private static final String FORGED =
       "<case_record no=\\\"5\\\" outcome=\\\"RETURNED\\\"><actual name=\\\"return\\\">5</actual>"

@@ -23,7 +23,7 @@ import org.sitaf.core.verdict.Verdict;
 
 /** Components in C++ and Python that hang or end the process, on the real runtimes. */
 @Tag("slow")
-@Timeout(300)
+@Timeout(600)
 class HostileLanguagesTest {
   private static final String CPP =
       """
