@@ -64,6 +64,8 @@ public class Results {
   public void accept(
       String buildId, TestResult result, byte[] document, String sha256, Instant received) {
     rows.insert(buildId, result, document, sha256, received);
+    // Pages and comparisons that follow a build need all cases.
+    parsed.put(new Key(buildId, sha256), result);
   }
 
   /** Stores the result of an attempt that was abandoned before. */

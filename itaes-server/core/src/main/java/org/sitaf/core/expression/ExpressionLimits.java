@@ -1,6 +1,7 @@
 package org.sitaf.core.expression;
 
 import dev.cel.common.CelOptions;
+import java.time.Duration;
 
 /**
  * Limits of expressions. A step is the evaluation of one node of the syntax tree or an equivalent
@@ -19,8 +20,11 @@ final class ExpressionLimits {
   /** Maximum number of parts of a type. A list of lists of numbers has 3 parts. */
   static final int MAX_TYPE_PARTS = 1_000;
 
-  /** Maximum number of steps of one evaluation; takes less than a second. */
+  /** Maximum number of steps of one evaluation; takes less than a second without errors. */
   static final long MAX_STEPS = 5_000_000;
+
+  /** Maximum processor time of one evaluation. */
+  static final Duration MAX_TIME = Duration.ofSeconds(3);
 
   /** Maximum length of a string or list that an expression creates. */
   static final int MAX_LENGTH = 1_000_000;

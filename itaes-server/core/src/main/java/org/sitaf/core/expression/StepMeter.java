@@ -4,6 +4,8 @@ import com.google.errorprone.annotations.FormatMethod;
 import dev.cel.common.ast.CelExpr;
 import dev.cel.common.values.CelByteString;
 import dev.cel.runtime.CelEvaluationListener;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -18,15 +20,20 @@ final class StepMeter implements CelEvaluationListener {
   /** The regular expression automaton processes each character once per thread. */
   private static final int STEPS_PER_SEARCHED_CHARACTER = 20;
 
-  private static final int STEPS_PER_INTERRUPT_CHECK = 512;
+  private static final int STEPS_PER_CHECK = 512;
 
   /** Parts of a list or map that CEL visits in the time of one step. */
   private static final int PARTS_PER_STEP = 4;
 
+  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
   private final NodeRoles roles;
   private int parts;
   private long left = ExpressionLimits.MAX_STEPS;
-  private int untilInterruptCheck = STEPS_PER_INTERRUPT_CHECK;
+  private int untilCheck = STEPS_PER_CHECK;
+
+  /** Time of the thread at the first check; 0 before. */
+  private long checkedNanos;
 
   /**
    * Stops an evaluation. This is an Error because CEL treats exceptions within {@code &&} and
@@ -164,11 +171,28 @@ final class StepMeter implements CelEvaluationListener {
           "it took more than %,d steps; simplify it, or let it iterate over fewer elements",
           ExpressionLimits.MAX_STEPS);
     }
-    if (--untilInterruptCheck == 0) {
-      untilInterruptCheck = STEPS_PER_INTERRUPT_CHECK;
-      if (Thread.currentThread().isInterrupted()) {
-        throw new Stopped("the evaluation was interrupted", true);
-      }
+    if (--untilCheck == 0) {
+      untilCheck = STEPS_PER_CHECK;
+      check();
+    }
+  }
+
+  /**
+   * The time is that of the processor, so that other load does not change a verdict. It matters for
+   * errors that CEL absorbs: each is an exception, which takes the time of hundreds of steps.
+   */
+  private void check() {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new Stopped("the evaluation was interrupted", true);
+    }
+    long now = THREADS.getCurrentThreadCpuTime();
+    if (checkedNanos == 0) {
+      checkedNanos = now;
+    } else if (now - checkedNanos > ExpressionLimits.MAX_TIME.toNanos()) {
+      throw limitExceeded(
+          "it took more than %,d s of processor time; simplify it, or let it iterate over fewer"
+              + " elements",
+          ExpressionLimits.MAX_TIME.toSeconds());
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.function.Supplier;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.MemberPath;
@@ -21,11 +22,17 @@ import org.sitaf.core.suite.TestCase;
 
 /** Judges one call: its recorded values and its post-conditions. */
 final class CallVerdicts {
+  /** Evaluations of a post-condition that may exceed their limits before it is given up. */
+  private static final int MAX_COSTLY = 3;
+
   private final TestModel model;
   private final CallRecord calls;
   private final Expectations expectations;
   private final InputValidity validity;
   private final List<Expression> postConditions;
+
+  /** Evaluations of each post-condition that exceeded their limits. */
+  private final AtomicIntegerArray costly;
 
   /**
    * Creates the judge of a call.
@@ -38,6 +45,7 @@ final class CallVerdicts {
     this.expectations = new Expectations(model);
     this.validity = new InputValidity(model, seed);
     this.postConditions = PostConditions.of(model);
+    this.costly = new AtomicIntegerArray(postConditions.size());
   }
 
   /**
@@ -136,6 +144,10 @@ final class CallVerdicts {
                     + " were recorded");
         continue;
       }
+      if (costly.get(i) >= MAX_COSTLY) {
+        judged = judged.withVerdict(Verdict.ERROR, givenUp(label, written));
+        continue;
+      }
       try {
         Map<String, Object> values = variables.get();
         if (!condition.isTrue(values)) {
@@ -148,6 +160,9 @@ final class CallVerdicts {
                       + (compared.isEmpty() ? "" : ": " + compared));
         }
       } catch (EvaluationException | IllegalArgumentException e) {
+        if (e instanceof EvaluationException evaluation && evaluation.tooCostly()) {
+          costly.incrementAndGet(i);
+        }
         judged =
             judged.withVerdict(
                 Verdict.ERROR,
@@ -159,6 +174,15 @@ final class CallVerdicts {
       }
     }
     return judged;
+  }
+
+  private String givenUp(String label, Condition condition) {
+    return "post-condition cannot be evaluated: "
+        + label
+        + ": it exceeded the limits of an evaluation in "
+        + MAX_COSTLY
+        + " cases and was not evaluated any more; simplify it"
+        + location(condition);
   }
 
   /** File and line of a condition in parentheses; empty if unknown. */

@@ -98,9 +98,16 @@ class ResultAssemblerTest {
         TestModelXml.read(
             new ByteArrayInputStream(costly.getBytes(StandardCharsets.UTF_8)), "Half.xml");
     String ones = java.util.Collections.nCopies(200, "1").toString();
-    CaseResult judged = new ResultAssembler(other, suite).judge(returned(2, ones, 1));
+    ResultAssembler judge = new ResultAssembler(other, suite);
+    for (int i = 0; i < 3; i++) {
+      CaseResult judged = judge.judge(returned(2, ones, 1));
+      assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
+      assertThat(judged.message()).contains("more than 5,000,000 steps", "simplify it");
+    }
+    CaseResult judged = judge.judge(returned(3, "[1]", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
-    assertThat(judged.message()).contains("more than 5,000,000 steps", "simplify it");
+    assertThat(judged.message())
+        .contains("exceeded the limits of an evaluation in 3 cases", "(Half.xml:");
   }
 
   @Test
