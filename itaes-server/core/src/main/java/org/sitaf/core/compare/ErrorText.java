@@ -15,13 +15,16 @@ final class ErrorText {
   private static final String FRAME = "[^\\s()]{1,300} ?\\([^()]{0,300}:-?\\d{1,9}\\)";
 
   private static final Pattern PLACES =
-      Pattern.compile(" at " + FRAME + "(?:, " + FRAME + "){0,20}$");
+      Pattern.compile(",? at " + FRAME + "(?:, " + FRAME + "){0,20}$");
 
   private static final Pattern QUALIFIER =
       Pattern.compile("^(?:[A-Za-z_$][\\w$]{0,200}(?:\\.|::)){1,40}(?=[A-Za-z_$])");
 
+  /** Few digits are an address only after a Java class or array: {@code a.Foo@1fc}. */
   private static final Pattern ADDRESS =
-      Pattern.compile("\\b0x[0-9a-fA-F]{1,16}\\b|(?<=[\\w$])@[0-9a-f]{5,16}\\b");
+      Pattern.compile(
+          "\\b0x[0-9a-fA-F]{1,16}\\b|(?<=[\\w$;])@[0-9a-f]{5,16}\\b"
+              + "|(?<=\\w\\.[\\w$]{1,99}|\\[[A-Z]|[\\w$];)@[0-9a-f]{1,4}\\b");
 
   /** An absolute folder, or a relative one of a file with an extension. */
   private static final Pattern FOLDER =
@@ -31,7 +34,7 @@ final class ErrorText {
               + "|(?<![\\w./\\\\])(?:[\\w.+@~-]{1,255}[/\\\\]){1,50}(?=[\\w+-]{1,255}\\.[A-Za-z])");
 
   private static final Pattern LINE =
-      Pattern.compile("(?<=\\.[A-Za-z]{1,4}):\\d{1,9}(?::\\d{1,9})?|\\b(line) \\d{1,9}\\b");
+      Pattern.compile("(?<=\\.[A-Za-z]{1,4}):\\d{1,9}(?::\\d{1,9})?|\\b([Ll]ine) \\d{1,9}\\b");
 
   private ErrorText() {}
 

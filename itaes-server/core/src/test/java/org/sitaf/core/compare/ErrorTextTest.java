@@ -44,6 +44,8 @@ class ErrorTextTest {
                 CaseRecord.error(
                     1, "TypeError: missing 'memory' at reset (ad.py:3), make (b.py:9)")))
         .isEqualTo("TypeError: missing 'memory'");
+    assertThat(ErrorText.of(CaseRecord.error(1, "no answer within 1 s, at run (comp.py:5)")))
+        .isEqualTo("no answer within 1 s");
   }
 
   @Test
@@ -59,8 +61,12 @@ class ErrorTextTest {
       value = {
         "cannot open /tmp/sitaf-run-1/build-2/data.csv:12: bad | cannot open data.csv: bad",
         "File \"/home/a/x.py\", line 12 | File \"x.py\", line",
+        "Line 12: bad gain | Line: bad gain",
         "<Foo object at 0x7f12ab34> | <Foo object at 0x>",
         "Foo@1b2c3d4 failed | Foo0x failed",
+        "java.lang.Object@1fc failed | java.lang.Object0x failed",
+        "[D@7 and [Ljava.lang.String;@1b2c3d4 and [La.B;@2f | [D0x and [Ljava.lang.String;0x and [La.B;0x",
+        "rate@50 of a@b | rate@50 of a@b",
         "in src/robot/arm.cpp:7:3 | in arm.cpp",
         "speed 3 m/s is 1/2 of 0.5 | speed 3 m/s is 1/2 of 0.5"
       })
