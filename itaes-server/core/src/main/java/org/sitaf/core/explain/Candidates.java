@@ -74,10 +74,7 @@ final class Candidates {
     }
     double[] weights = new double[masks.size()];
     for (int i = 0; i < weights.length; i++) {
-      int size = Long.bitCount(masks.get(i));
-      weights[i] =
-          (size < PRIOR.length ? PRIOR[size] : PRIOR_OF_LARGE)
-              / Math.max(1, combinations(count, size));
+      weights[i] = prior(Long.bitCount(masks.get(i)), count);
     }
     for (Combinations.Row other : unexplained) {
       if (other != failed) {
@@ -93,6 +90,14 @@ final class Candidates {
       }
     }
     return new Candidates(row, masks.stream().mapToLong(Long::longValue).toArray(), weights);
+  }
+
+  /** The probability of a set before any execution; of few parameters, larger sets have no more. */
+  private static double prior(int size, int count) {
+    double share =
+        (size < PRIOR.length ? PRIOR[size] : PRIOR_OF_LARGE)
+            / Math.max(1, combinations(count, size));
+    return size > 1 ? Math.min(share, prior(size - 1, count)) : share;
   }
 
   private static double combinations(int n, int k) {

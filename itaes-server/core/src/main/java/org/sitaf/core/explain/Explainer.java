@@ -1,6 +1,7 @@
 package org.sitaf.core.explain;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -29,6 +30,9 @@ public final class Explainer {
 
   /** How often a cause is searched again that its simplest case refutes. */
   private static final int MAX_REFUTATIONS = 5;
+
+  /** How often a cause is confirmed again if some failures are not reproducible. */
+  private static final int FURTHER_CONFIRMATIONS = 4;
 
   private static final long SEED = 1;
 
@@ -105,14 +109,23 @@ public final class Explainer {
     Map<RelationSearch.Relation, Integer> relations = relations();
     TupleSearch search = new TupleSearch(history, targets, SEED);
     search.search();
-    Map<Tuple, List<Value>> simplest = simplest(search);
+    Map<Tuple, List<Value>> simplest = simplest(search, relations.keySet());
+    confirmAgain(search);
     BoundarySearch boundaries = new BoundarySearch(values, history, further);
 
     List<Cause> causes = new ArrayList<>();
     for (Map.Entry<RelationSearch.Relation, Integer> relation : relations.entrySet()) {
       int before = further.executions();
       Predicate<int[]> holds = relation.getKey().holds();
-      List<Value> row = simplestOf(holds, 0, null);
+      List<Value> row =
+          simplestOf(
+              holds,
+              0,
+              null,
+              v ->
+                  search.causes().stream().noneMatch(t -> has(v, t))
+                      && relations.keySet().stream()
+                          .noneMatch(r -> r != relation.getKey() && has(v, r)));
       int needed = relation.getValue() + further.executions() - before;
       causes.add(cause(Map.of(), relation.getKey().text(), holds, row, null, needed));
     }
@@ -183,13 +196,21 @@ public final class Explainer {
    * The simplest case of each cause. A cause whose simplest case passes is no cause; it is searched
    * again.
    */
-  private Map<Tuple, List<Value>> simplest(TupleSearch search) throws InterruptedException {
+  private Map<Tuple, List<Value>> simplest(
+      TupleSearch search, Set<RelationSearch.Relation> relations) throws InterruptedException {
     Map<Tuple, List<Value>> simplest = new HashMap<>();
     for (int refuted = 0; refuted <= MAX_REFUTATIONS; refuted++) {
       for (Tuple tuple : search.causes()) {
         if (!simplest.containsKey(tuple)) {
           int before = further.executions();
-          List<Value> row = simplestOf(tuple::isIn, tuple.mask(), tuple);
+          List<Value> row =
+              simplestOf(
+                  tuple::isIn,
+                  tuple.mask(),
+                  tuple,
+                  v ->
+                      search.causes().stream().noneMatch(t -> !t.equals(tuple) && has(v, t))
+                          && relations.stream().noneMatch(r -> has(v, r)));
           search.needed(tuple, further.executions() - before);
           if (!history.isRefuted(tuple)) {
             simplest.put(tuple, row);
@@ -205,23 +226,55 @@ public final class Explainer {
   }
 
   /**
+   * Executes a case of each cause again if equal cases had different verdicts: failures by chance
+   * confirm any tuple now and then.
+   */
+  private void confirmAgain(TupleSearch search) throws InterruptedException {
+    for (Tuple tuple : List.copyOf(search.causes())) {
+      if (history.failing().stream().noneMatch(f -> history.isFlaky(f.values()))) {
+        return;
+      }
+      int before = history.executions();
+      int[] row =
+          history.failing().stream()
+              .map(Combinations.Row::values)
+              .filter(tuple::isIn)
+              .findFirst()
+              .orElseThrow();
+      for (int i = 0; i < FURTHER_CONFIRMATIONS && !history.isExhausted(); i++) {
+        if (!history.execute(row).failed()) {
+          break;
+        }
+      }
+      search.needed(tuple, history.executions() - before);
+    }
+    search.removeRefuted();
+  }
+
+  /**
    * The simplest failing case that fulfils a condition.
    *
    * @param kept the parameters that keep their values
    * @param tuple the cause; null for a relation
+   * @param alone whether a case has no other cause, whose verdict and message it might show; only
+   *     such a case is taken if one of them fails
    */
-  private List<Value> simplestOf(Predicate<int[]> condition, long kept, @Nullable Tuple tuple)
+  private List<Value> simplestOf(
+      Predicate<int[]> condition, long kept, @Nullable Tuple tuple, Predicate<List<Value>> alone)
       throws InterruptedException {
     List<int[]> rows =
         history.failing().stream()
             .map(Combinations.Row::values)
             .filter(condition)
-            .sorted(java.util.Comparator.comparingDouble(this::complexity))
+            .sorted(Comparator.comparingDouble(this::complexity))
             .toList();
-    int[] start = rows.get(0);
+    Optional<int[]> own = rows.stream().filter(r -> alone.test(values.values(r))).findFirst();
+    int[] start = own.orElse(rows.get(0));
+    Predicate<List<Value>> taken =
+        row -> values.isAllowed(row) && (own.isEmpty() || alone.test(row));
     long fixed = tuple == null ? fixedOf(start, condition) : kept;
     for (boolean ofSuite : new boolean[] {false, true}) {
-      List<Value> row = simplified(values.values(start), fixed, ofSuite);
+      List<Value> row = simplified(values.values(start), fixed, ofSuite, taken);
       if (further.failed(row).isPresent()) {
         return row;
       }
@@ -268,8 +321,29 @@ public final class Explainer {
     return sum;
   }
 
-  /** The case with the other inputs at their simplest values, as far as conditions allow. */
-  private List<Value> simplified(List<Value> row, long fixed, boolean ofSuite) {
+  /** Whether a case has the values of a tuple. */
+  private boolean has(List<Value> row, Tuple tuple) {
+    int[] levels = tuple.values();
+    return IntStream.range(0, levels.length)
+        .allMatch(
+            i -> levels[i] == Tuple.ANY || values.levelsOf(i).get(levels[i]).equals(row.get(i)));
+  }
+
+  /** Whether a case fulfils a relation; values that the suite does not have fulfil none. */
+  private boolean has(List<Value> row, RelationSearch.Relation relation) {
+    int[] levels = new int[row.size()];
+    for (int i : relation.parameters()) {
+      levels[i] = values.levelsOf(i).indexOf(row.get(i));
+      if (levels[i] < 0) {
+        return false;
+      }
+    }
+    return relation.holds().test(levels);
+  }
+
+  /** The case with the other inputs at their simplest values, as far as a condition allows. */
+  private List<Value> simplified(
+      List<Value> row, long fixed, boolean ofSuite, Predicate<List<Value>> allowed) {
     List<Value> simple = new ArrayList<>(row);
     for (int i = 0; i < simple.size(); i++) {
       if ((fixed >>> i & 1) == 0) {
@@ -277,7 +351,7 @@ public final class Explainer {
         values.simplest(i, ofSuite).ifPresent(v -> simple.set(at, v));
       }
     }
-    if (values.isAllowed(simple)) {
+    if (allowed.test(simple)) {
       return simple;
     }
     List<Value> current = new ArrayList<>(row);
@@ -286,7 +360,7 @@ public final class Explainer {
         Value before = current.get(i);
         int at = i;
         values.simplest(i, ofSuite).ifPresent(v -> current.set(at, v));
-        if (!values.isAllowed(current)) {
+        if (!allowed.test(current)) {
           current.set(i, before);
         }
       }

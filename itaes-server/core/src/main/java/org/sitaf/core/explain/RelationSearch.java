@@ -170,7 +170,7 @@ final class RelationSearch {
 
   /** The rows that a relation explains; 0 if it is not one, or tuples explain them as well. */
   private long explained(Relation relation, int a, int b, List<int[]> open) {
-    if (history.passingValid().stream().anyMatch(p -> relation.holds().test(p))) {
+    if (isRefuted(relation)) {
       return 0;
     }
     Set<List<Integer>> pairs = new HashSet<>();
@@ -182,6 +182,14 @@ final class RelationSearch {
       }
     }
     return pairs.size() >= MIN_PAIRS ? count : 0;
+  }
+
+  /** Whether a case that fulfils the relation passed, unless another input is invalid in it. */
+  private boolean isRefuted(Relation relation) {
+    long mask = relation.parameters().stream().mapToLong(p -> 1L << p).sum();
+    return history.passing().stream()
+        .anyMatch(
+            p -> relation.holds().test(p) && (history.combinations().invalidOf(p) & ~mask) == 0);
   }
 
   /** Whether one value of the row alone occurs in failing rows only, and in several. */

@@ -96,6 +96,11 @@ final class TupleSearch {
         break;
       }
     }
+    removeRefuted();
+  }
+
+  /** Removes the causes of which a case passed. */
+  void removeRefuted() {
     causes.removeIf(history::isRefuted);
   }
 

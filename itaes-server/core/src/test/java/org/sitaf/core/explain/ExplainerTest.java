@@ -95,6 +95,141 @@ class ExplainerTest {
     assertThat(cause.message()).startsWith("expected 0.0");
   }
 
+  /** Otherwise the sentence would show the error of one cause as the effect of another. */
+  @Test
+  void theSimplestCaseOfACauseHasNoOtherCause() throws InterruptedException {
+    String input =
+        "<test_element abstract_type='NUMERIC' real_type='int'><name>%s</name><type>TDI</type>"
+            + "<user_value_list>%s</user_value_list></test_element>";
+    String numbers = "<value>0</value><value>1</value><value>2</value><value>3</value>";
+    TestModel model =
+        read(
+            "<test_model><name>M</name><target interface='I' method='m'/><input_spec_list>"
+                + input.formatted("A", numbers)
+                + input.formatted("B", "<value>0</value><value>1</value>")
+                + input.formatted("C", numbers)
+                + "</input_spec_list><order_of_combinations>2</order_of_combinations>"
+                + "</test_model>");
+    TestSuite suite = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
+    java.util.function.Function<TestCase, CaseResult> run =
+        c -> {
+          int[] v = c.values().stream().mapToInt(Integer::parseInt).toArray();
+          boolean error = v[0] == 2 && v[1] == 0;
+          boolean wrong = v[0] == 2 && v[2] == 1;
+          return new CaseResult(
+              c.no(),
+              error ? Verdict.ERROR : wrong ? Verdict.FAIL : Verdict.PASS,
+              c.values(),
+              List.of(),
+              List.of(),
+              null,
+              error ? "ValueError" : wrong ? "expected 0, but was 1" : "");
+        };
+    Explanation explanation =
+        new Explainer(
+                model,
+                suite,
+                suite.cases().stream().map(run).toList(),
+                null,
+                null,
+                cases -> cases.stream().map(run).toList(),
+                500)
+            .explain();
+
+    assertThat(explanation.causes())
+        .extracting(Cause::parameters, Cause::verdict)
+        .containsExactlyInAnyOrder(
+            org.assertj.core.groups.Tuple.tuple(Map.of("A", "2", "B", "0"), Verdict.ERROR),
+            org.assertj.core.groups.Tuple.tuple(Map.of("A", "2", "C", "1"), Verdict.FAIL));
+    assertThat(explanation.causes())
+        .extracting(Cause::simplest)
+        .containsExactlyInAnyOrder(
+            Map.of("A", "2", "B", "0", "C", "0"), Map.of("A", "2", "B", "1", "C", "1"));
+  }
+
+  /** The case with X = 2.5, which is invalid, and N = 2 passes: no sum of X and N is a cause. */
+  @Test
+  void aRelationThatAPassingCaseFulfilsIsNoCause() throws InterruptedException {
+    String list =
+        "<test_element abstract_type='%s' real_type='%s'><name>%s</name><type>TDI</type>"
+            + "<user_value_list>%s</user_value_list></test_element>";
+    TestModel model =
+        read(
+            "<test_model><name>M</name><target interface='I' method='m'/><input_spec_list>"
+                + "<test_element abstract_type='NUMERIC' real_type='double'><name>X</name>"
+                + "<type>TDI</type><test_spec type='BVA' offset='0.5'>"
+                + "<equiv_class type='NEC_NUMERIC_TWO_BOUNDARY' min='-2' max='2'/></test_spec>"
+                + "</test_element>"
+                + list.formatted(
+                    "NUMERIC",
+                    "int",
+                    "N",
+                    "<value>0</value><value>1</value><value>2</value><value>3</value>")
+                + list.formatted("NUMERIC", "int", "F", "<value>0</value><value>1</value>")
+                + list.formatted(
+                    "NUMERIC", "int", "S", "<value>0</value><value>1</value><value>5</value>")
+                + "</input_spec_list><order_of_combinations>2</order_of_combinations>"
+                + "</test_model>");
+    TestSuite suite = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
+    java.util.function.Function<TestCase, CaseResult> run =
+        c -> {
+          boolean fails =
+              Double.parseDouble(c.values().get(0)) >= -1.1 && c.values().get(1).equals("3");
+          return new CaseResult(
+              c.no(),
+              fails ? Verdict.FAIL : Verdict.PASS,
+              c.values(),
+              List.of(),
+              List.of(),
+              null,
+              fails ? "wrong" : "");
+        };
+    Explanation explanation =
+        new Explainer(
+                model,
+                suite,
+                suite.cases().stream().map(run).toList(),
+                null,
+                null,
+                cases -> cases.stream().map(run).toList(),
+                500)
+            .explain();
+
+    assertThat(explanation.causes()).extracting(Cause::relation).containsOnlyNulls();
+    assertThat(explanation.causes())
+        .extracting(Cause::parameters)
+        .contains(
+            Map.of("X", "0.0", "N", "3"),
+            Map.of("X", "1.5", "N", "3"),
+            Map.of("X", "2.0", "N", "3"));
+    assertThat(explanation.unexplained()).isEmpty();
+  }
+
+  @Test
+  void failuresByChanceHaveNoCause() throws InterruptedException {
+    TestModel model = model("");
+    TestSuite suite = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
+    int runs = 4;
+    int found = 0;
+    for (int seed = 0; seed < runs; seed++) {
+      java.util.Random random = new java.util.Random(seed);
+      Predicate<double[]> fails = v -> random.nextDouble() < 0.3;
+      found +=
+          new Explainer(
+                  model,
+                  suite,
+                  suite.cases().stream().map(c -> result(c, fails)).toList(),
+                  null,
+                  null,
+                  cases -> cases.stream().map(c -> result(c, fails)).toList(),
+                  500)
+              .explain()
+              .causes()
+              .size();
+    }
+    assertThat(found).isLessThanOrEqualTo(2);
+  }
+
   @Test
   void theSimplestCaseKeepsPreConditions() throws InterruptedException {
     TestModel model =
