@@ -216,8 +216,7 @@ public final class CompareCommand implements Callable<Integer> {
       Files.writeString(json, ComparisonJson.write(comparison));
     }
     if (junit != null) {
-      List<TestResult> reported =
-          results.stream().map(r -> ComparisonJunit.of(r, comparison)).toList();
+      List<TestResult> reported = ComparisonJunit.of(results, comparison);
       try (OutputStream file = new BufferedOutputStream(Files.newOutputStream(junit))) {
         JunitXml.write(after.activity().profile().name(), reported, file);
       }

@@ -1,5 +1,9 @@
 package org.sitaf.cli.compare;
 
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -7,8 +11,10 @@ import java.util.stream.Collectors;
 import org.sitaf.core.compare.ComparedCase;
 import org.sitaf.core.compare.Comparison;
 import org.sitaf.core.compare.Difference;
+import org.sitaf.core.compare.NotComparable;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.Statistics;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -18,11 +24,41 @@ final class ComparisonJunit {
   private ComparisonJunit() {}
 
   /**
-   * The result of a model in which the differing cases fail.
+   * The results of all models, in which the differing cases fail.
    *
-   * @param result of the new version
+   * @param results of the new version
    */
-  static TestResult of(TestResult result, Comparison comparison) {
+  static List<TestResult> of(List<TestResult> results, Comparison comparison) {
+    List<TestResult> reported = new ArrayList<>();
+    results.forEach(r -> reported.add(of(r, comparison)));
+    Set<String> executed = results.stream().map(TestResult::name).collect(Collectors.toSet());
+    Map<String, List<NotComparable>> others = new LinkedHashMap<>();
+    for (NotComparable reason : comparison.notComparable()) {
+      if (!executed.contains(reason.model())) {
+        others.computeIfAbsent(reason.model(), m -> new ArrayList<>()).add(reason);
+      }
+    }
+    // If nothing was compared, a report without an error would look like success.
+    Verdict verdict = comparison.cases().isEmpty() ? Verdict.ERROR : Verdict.DONT;
+    others.forEach((model, reasons) -> reported.add(notCompared(model, verdict, reasons)));
+    return reported;
+  }
+
+  private static TestResult notCompared(
+      String model, Verdict verdict, List<NotComparable> reasons) {
+    String message = reasons.stream().map(NotComparable::reason).collect(Collectors.joining("; "));
+    List<CaseResult> cases = List.of(ofModel(verdict, List.of(), message));
+    String now = Instant.now().truncatedTo(ChronoUnit.MILLIS).toString();
+    return new TestResult(
+        model,
+        new Provenance("", 0, "", "", "", "", "", List.of(), now, now),
+        Statistics.of(cases, true),
+        List.of(),
+        cases,
+        null);
+  }
+
+  private static TestResult of(TestResult result, Comparison comparison) {
     String model = result.name();
     Map<Integer, List<Difference>> differences =
         comparison.differences().stream()
@@ -33,15 +69,26 @@ final class ComparisonJunit {
             .filter(c -> c.model().equals(model))
             .map(ComparedCase::no)
             .collect(Collectors.toSet());
-    List<CaseResult> cases =
-        result.cases().stream()
-            .map(
-                judged ->
-                    judged(
-                        judged,
-                        differences.getOrDefault(judged.no(), List.of()),
-                        compared.contains(judged.no())))
-            .toList();
+    Map<Integer, String> reasons =
+        comparison.notComparable().stream()
+            .filter(n -> n.model().equals(model) && n.output().isEmpty())
+            .collect(
+                Collectors.toMap(
+                    NotComparable::no, NotComparable::reason, (first, other) -> first));
+    List<CaseResult> cases = new ArrayList<>();
+    for (CaseResult judged : result.cases()) {
+      cases.add(
+          judged(
+              judged,
+              differences.getOrDefault(judged.no(), List.of()),
+              compared.contains(judged.no()),
+              reasons.getOrDefault(judged.no(), "the case could not be compared")));
+    }
+    // What only the whole model shows, such as lost coverage, has no number of a case.
+    List<Difference> ofModel = differences.getOrDefault(0, List.of());
+    if (!ofModel.isEmpty()) {
+      cases.add(ofModel(Verdict.FAIL, ofModel, texts(ofModel)));
+    }
     return new TestResult(
         result.name(),
         result.provenance(),
@@ -52,8 +99,19 @@ final class ComparisonJunit {
         result.suspicions());
   }
 
+  private static CaseResult ofModel(Verdict verdict, List<Difference> differences, String message) {
+    return new CaseResult(
+        0,
+        verdict,
+        List.of(),
+        differences.stream().map(d -> new NamedValue(d.output(), d.base())).toList(),
+        differences.stream().map(d -> new NamedValue(d.output(), d.now())).toList(),
+        null,
+        message);
+  }
+
   private static CaseResult judged(
-      CaseResult result, List<Difference> differences, boolean isCompared) {
+      CaseResult result, List<Difference> differences, boolean isCompared, String reason) {
     Verdict verdict =
         !isCompared ? Verdict.DONT : differences.isEmpty() ? Verdict.PASS : Verdict.FAIL;
     return new CaseResult(
@@ -63,9 +121,11 @@ final class ComparisonJunit {
         differences.stream().map(d -> new NamedValue(d.output(), d.base())).toList(),
         differences.stream().map(d -> new NamedValue(d.output(), d.now())).toList(),
         result.time(),
-        isCompared
-            ? differences.stream().map(ComparisonJunit::text).collect(Collectors.joining("; "))
-            : "the case could not be compared");
+        isCompared ? texts(differences) : reason);
+  }
+
+  private static String texts(List<Difference> differences) {
+    return differences.stream().map(ComparisonJunit::text).collect(Collectors.joining("; "));
   }
 
   private static String text(Difference difference) {

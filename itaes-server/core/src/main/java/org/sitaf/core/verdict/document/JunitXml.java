@@ -93,7 +93,9 @@ public final class JunitXml {
     xml.writeCharacters("\n    ");
     xml.writeStartElement("testcase");
     xml.writeAttribute("classname", activity + "." + result.name());
-    xml.writeAttribute("name", testCase.no() + ": " + name(inputs, testCase.steps()));
+    xml.writeAttribute(
+        "name",
+        testCase.no() == 0 ? "all cases" : testCase.no() + ": " + name(inputs, testCase.steps()));
     xml.writeAttribute("time", seconds(microseconds(testCase)));
     String element =
         switch (testCase.verdict()) {
