@@ -18,9 +18,9 @@ import org.sitaf.core.expression.function.Library;
  * Evaluates plain expressions of numbers and truth values without CEL's runtime, which takes about
  * a microsecond for each node.
  *
- * <p>It decides only where its result is certainly that of CEL: an operand of another type, NaN or
- * two zeros in a comparison, and every error are left to CEL. It has no loops, so the size of an
- * expression bounds its steps.
+ * <p>It decides only where its result is certainly that of CEL: an operand of another type, NaN in
+ * a comparison, and every error are left to CEL. It has no loops, so the size of an expression
+ * bounds its steps.
  */
 final class DirectProgram {
   /** The values of variables; null for an unknown one. */
@@ -128,6 +128,10 @@ final class DirectProgram {
       return null;
     }
     String function = call.function();
+    if (function.equals(Library.UNSIGNED_ZERO)) {
+      // The comparison of which it is an operand knows no sign of zero.
+      return node(call.args().get(0));
+    }
     if (function.equals("min") || function.equals("max")) {
       return extreme(function, call);
     }
@@ -259,8 +263,10 @@ final class DirectProgram {
       Object a = left.value(values);
       Object b = right.value(values);
       if (a instanceof Double x && b instanceof Double y) {
-        boolean special = Double.isNaN(x) || Double.isNaN(y) || x == 0 && y == 0;
-        return special ? UNDECIDED : holds(operator, Double.compare(x, y));
+        if (Double.isNaN(x) || Double.isNaN(y)) {
+          return UNDECIDED;
+        }
+        return holds(operator, x == 0 && y == 0 ? 0 : Double.compare(x, y));
       }
       if (a instanceof Long x && b instanceof Long y) {
         return holds(operator, Long.compare(x, y));

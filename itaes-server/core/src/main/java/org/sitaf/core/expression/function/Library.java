@@ -43,6 +43,12 @@ public final class Library {
           "_%_", "@modulo",
           "-_", "@negate");
 
+  /**
+   * Replaces -0.0 by 0.0 in a value that is compared: CEL orders -0.0 before a whole 0, though they
+   * are the same number.
+   */
+  public static final String UNSIGNED_ZERO = "@unsigned_zero";
+
   private static final Library INSTANCE = new Library();
 
   private final Map<String, List<Signature>> signatures = new LinkedHashMap<>();
@@ -108,6 +114,7 @@ public final class Library {
     bind2("@divide", Arithmetic::divide);
     bind2("@modulo", Arithmetic::modulo);
     bind1("@negate", Arithmetic::negate);
+    bind1(UNSIGNED_ZERO, Zeros::unsigned);
   }
 
   private void scalars() {
