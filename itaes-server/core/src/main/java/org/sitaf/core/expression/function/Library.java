@@ -25,6 +25,7 @@ import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import org.hipparchus.util.FastMath;
 import org.sitaf.core.expression.function.Signature.Cost;
 import org.sitaf.core.expression.function.Signature.Kind;
 import org.sitaf.core.expression.function.Signature.Result;
@@ -138,7 +139,7 @@ public final class Library {
     real("sqrt", Math::sqrt);
     real("cbrt", StrictMath::cbrt);
     real("pow", StrictMath::pow);
-    real("exp", StrictMath::exp);
+    real("exp", FastMath::exp);
     real("log", StrictMath::log);
     real("log10", StrictMath::log10);
     real("hypot", StrictMath::hypot);
