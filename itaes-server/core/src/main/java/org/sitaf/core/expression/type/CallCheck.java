@@ -149,7 +149,8 @@ final class CallCheck {
           : b.mayBeNumber() ? Type.ANY : b;
     }
     if (isText(a) && isText(b)) {
-      return Type.TEXT;
+      // What begins like an outcome is one: "!error:" + name.
+      return a.equals(Type.OUTCOME) ? a : Type.TEXT;
     }
     return a.mayBeNumber() && b.mayBeNumber()
         ? number(a, b)
