@@ -15,6 +15,7 @@ import org.sitaf.cli.run.RunCommand;
 import org.sitaf.cli.score.ScoreCommand;
 import org.sitaf.cli.system.DemoCommand;
 import org.sitaf.cli.system.UpCommand;
+import org.sitaf.cli.terminal.FileProblem;
 import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -85,7 +86,7 @@ public final class Sitaf {
     if (failure instanceof InvalidInputException invalid) {
       print(invalid.diagnostics(), err);
     } else if (failure instanceof UncheckedIOException || failure instanceof java.io.IOException) {
-      err.println("sitaf: " + failure.getMessage());
+      err.println("sitaf: " + FileProblem.of(failure));
     } else {
       throw failure;
     }

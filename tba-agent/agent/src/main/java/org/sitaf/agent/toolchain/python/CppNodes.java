@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -20,6 +19,7 @@ import java.util.stream.Stream;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.ToolResult;
+import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
@@ -40,16 +40,16 @@ final class CppNodes {
   private static final Duration RUNTIME_AT_MOST = Duration.ofMinutes(20);
 
   private final Path api;
-  private final Path cache;
+  private final SharedCache cache;
   private final Lock lock = new ReentrantLock();
 
   /**
    * @param api sources of the runtime of nodes
-   * @param cache folder for compiled runtimes
+   * @param cache folder for compiled runtimes, shared with other agents and commands
    */
   CppNodes(Path api, Path cache) {
     this.api = api;
-    this.cache = cache;
+    this.cache = new SharedCache(cache);
   }
 
   /** What determines the result of {@link #compile} besides the sources. */
@@ -183,60 +183,58 @@ final class CppNodes {
     for (String path : files.paths()) {
       key.append(path).append(' ').append(Sha256.hex(files.content(path).orElseThrow()));
     }
-    Path built = cache.resolve(Sha256.hex(key.toString().getBytes(StandardCharsets.UTF_8)));
+    String name = Sha256.hex(key.toString().getBytes(StandardCharsets.UTF_8));
+    Path built = cache.entry(name);
     lock.lockInterruptibly();
     try {
-      if (Files.isDirectory(built)) {
-        return built;
+      if (!Files.isDirectory(built)) {
+        try (SharedCache.Draft compiled = cache.draft();
+            SharedCache.Draft kept = cache.draft()) {
+          compileRuntime(compilation, environment, compiler, interfaces, readable, compiled);
+          copy(compiled.folder(), kept.folder());
+          kept.addAs(name);
+        }
       }
-      Files.createDirectories(cache);
-      // A compiler notes the place of a precompiled header, so it is made where it stays.
-      Path fresh = Files.createTempDirectory(cache, "new-");
-      List<String> arguments =
-          new ArrayList<>(List.of("runtime", "--compiler", compiler.toString()));
-      add(arguments, "--api", api);
-      add(arguments, "--interfaces", interfaces);
-      add(arguments, "--into", fresh);
-      ToolResult end =
-          run(
-              compilation,
-              environment,
-              arguments,
-              fresh,
-              readable,
-              List.of(fresh),
-              RUNTIME_AT_MOST);
-      if (end.code() != 0 || end.timedOut()) {
-        throw new IOException(
-            "the runtime of C++ nodes does not compile here: " + end.output() + end.errors());
-      }
-      keep(fresh, built);
       return built;
     } finally {
       lock.unlock();
     }
   }
 
+  private void compileRuntime(
+      Compilation compilation,
+      Path environment,
+      Path compiler,
+      Path interfaces,
+      List<Path> readable,
+      SharedCache.Draft draft)
+      throws IOException, InterruptedException {
+    Path into = draft.folder();
+    List<String> arguments = new ArrayList<>(List.of("runtime", "--compiler", compiler.toString()));
+    add(arguments, "--api", api);
+    add(arguments, "--interfaces", interfaces);
+    add(arguments, "--into", into);
+    ToolResult end =
+        run(compilation, environment, arguments, into, readable, List.of(into), RUNTIME_AT_MOST);
+    if (end.code() != 0 || end.timedOut()) {
+      throw new IOException(
+          "the runtime of C++ nodes does not compile here: " + end.output() + end.errors());
+    }
+  }
+
   /**
    * Copies what the compiler left, so that it belongs to the agent, not to a user of the sandbox.
    */
-  private void keep(Path fresh, Path built) throws IOException {
-    Path copy = Files.createTempDirectory(cache, "copy-");
-    Files.setPosixFilePermissions(copy, PosixFilePermissions.fromString("rwxr-xr-x"));
+  private static void copy(Path compiled, Path kept) throws IOException {
+    Files.setPosixFilePermissions(kept, PosixFilePermissions.fromString("rwxr-xr-x"));
     List<Path> files;
-    try (Stream<Path> all = Files.walk(fresh)) {
+    try (Stream<Path> all = Files.walk(compiled)) {
       files = all.filter(f -> Files.isRegularFile(f, LinkOption.NOFOLLOW_LINKS)).toList();
     }
     for (Path file : files) {
-      Path target = copy.resolve(fresh.relativize(file).toString());
+      Path target = kept.resolve(compiled.relativize(file).toString());
       Files.createDirectories(Objects.requireNonNull(target.getParent()));
       Files.write(target, Files.readAllBytes(file));
-    }
-    Files.move(copy, built);
-    try (Stream<Path> all = Files.walk(fresh)) {
-      for (Path left : all.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(left);
-      }
     }
   }
 
