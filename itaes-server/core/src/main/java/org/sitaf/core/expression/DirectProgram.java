@@ -18,9 +18,8 @@ import org.sitaf.core.expression.function.Library;
  * Evaluates plain expressions of numbers and truth values without CEL's runtime, which takes about
  * a microsecond for each node.
  *
- * <p>It decides only where its result is certainly that of CEL: an operand of another type, NaN in
- * a comparison, and every error are left to CEL. It has no loops, so the size of an expression
- * bounds its steps.
+ * <p>It decides only where its result is certainly that of CEL: an operand of another type and
+ * every error are left to CEL. It has no loops, so the size of an expression bounds its steps.
  */
 final class DirectProgram {
   /** The values of variables; null for an unknown one. */
@@ -31,8 +30,10 @@ final class DirectProgram {
   /** The result of a node that only CEL can evaluate. */
   private static final Object UNDECIDED = new Object();
 
-  private static final Set<String> COMPARISONS =
-      Set.of("_<_", "_<=_", "_>_", "_>=_", "_==_", "_!=_");
+  private static final Set<String> EQUALITY = Set.of("@equals", "@not_equals");
+
+  private static final Set<String> ORDER =
+      Set.of("@less", "@less_equals", "@greater", "@greater_equals");
 
   private interface Node {
     Object value(Values values);
@@ -128,10 +129,6 @@ final class DirectProgram {
       return null;
     }
     String function = call.function();
-    if (function.equals(Library.UNSIGNED_ZERO)) {
-      // The comparison of which it is an operand knows no sign of zero.
-      return node(call.args().get(0));
-    }
     if (function.equals("min") || function.equals("max")) {
       return extreme(function, call);
     }
@@ -139,8 +136,10 @@ final class DirectProgram {
     if (arguments == null) {
       return null;
     }
-    if (COMPARISONS.contains(function)) {
-      return comparison(function, arguments.get(0), arguments.get(1));
+    boolean equality = EQUALITY.contains(function);
+    if (equality || ORDER.contains(function)) {
+      return comparison(
+          Library.ofScalars(function, 2).orElseThrow(), equality, arguments.toArray(Node[]::new));
     }
     return switch (function) {
       case "_&&_" -> junction(arguments.get(0), arguments.get(1), false);
@@ -258,35 +257,17 @@ final class DirectProgram {
             : UNDECIDED;
   }
 
-  private static Node comparison(String operator, Node left, Node right) {
+  /** Numbers in any comparison, and whether texts or truth values are equal. */
+  private static Node comparison(CelFunctionOverload operator, boolean equality, Node[] operands) {
     return values -> {
-      Object a = left.value(values);
-      Object b = right.value(values);
-      if (a instanceof Double x && b instanceof Double y) {
-        if (Double.isNaN(x) || Double.isNaN(y)) {
-          return UNDECIDED;
-        }
-        return holds(operator, x == 0 && y == 0 ? 0 : Double.compare(x, y));
-      }
-      if (a instanceof Long x && b instanceof Long y) {
-        return holds(operator, Long.compare(x, y));
-      }
-      boolean equality = operator.equals("_==_") || operator.equals("_!=_");
+      Object a = operands[0].value(values);
+      Object b = operands[1].value(values);
+      boolean numbers =
+          (a instanceof Double || a instanceof Long) && (b instanceof Double || b instanceof Long);
       boolean same =
           a instanceof String && b instanceof String
               || a instanceof Boolean && b instanceof Boolean;
-      return equality && same ? holds(operator, a.equals(b) ? 0 : 1) : UNDECIDED;
-    };
-  }
-
-  private static Object holds(String operator, int order) {
-    return switch (operator) {
-      case "_<_" -> order < 0;
-      case "_<=_" -> order <= 0;
-      case "_>_" -> order > 0;
-      case "_>=_" -> order >= 0;
-      case "_==_" -> order == 0;
-      default -> order != 0;
+      return numbers || equality && same ? applied(operator, a, b) : UNDECIDED;
     };
   }
 }

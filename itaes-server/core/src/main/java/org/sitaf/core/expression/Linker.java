@@ -22,10 +22,6 @@ import org.sitaf.core.expression.type.TypeCheck;
  * variable, and operators over numbers those of {@link Library}. Nodes are numbered from 1.
  */
 final class Linker {
-  /** The operators that compare numbers, also in lists and maps. */
-  private static final Set<String> COMPARISONS =
-      Set.of("_<_", "_<=_", "_>_", "_>=_", "_==_", "_!=_", "@in");
-
   private final Scope scope;
   private final Set<String> definitions;
   private final Deque<String> bound = new ArrayDeque<>();
@@ -142,34 +138,8 @@ final class Linker {
     String name = Library.OPERATORS.getOrDefault(call.function(), call.function());
     CelCall.Builder linked = CelCall.newBuilder().setFunction(name);
     call.target().ifPresent(t -> linked.setTarget(link(t)));
-    boolean compared =
-        COMPARISONS.contains(name) && call.args().stream().noneMatch(Linker::isNoZero);
-    for (CelExpr argument : call.args()) {
-      CelExpr value = link(argument);
-      linked.addArgs(compared ? unsignedZero(value) : value);
-    }
+    linked.addArgs(call.args().stream().map(this::link).toList());
     return CelExpr.newBuilder().setId(++id).setCall(linked.build()).build();
-  }
-
-  private CelExpr unsignedZero(CelExpr value) {
-    return CelExpr.newBuilder()
-        .setId(++id)
-        .setCall(CelCall.newBuilder().setFunction(Library.UNSIGNED_ZERO).addArgs(value).build())
-        .build();
-  }
-
-  /** Whether a node is a constant that no zero equals or adjoins. */
-  private static boolean isNoZero(CelExpr node) {
-    if (node.getKind() != CelExpr.ExprKind.Kind.CONSTANT) {
-      return false;
-    }
-    CelConstant constant = node.constant();
-    return switch (constant.getKind()) {
-      case INT64_VALUE -> constant.int64Value() != 0;
-      case UINT64_VALUE -> constant.uint64Value().longValue() != 0;
-      case DOUBLE_VALUE -> constant.doubleValue() != 0;
-      default -> true;
-    };
   }
 
   private CelExpr map(CelExpr node) {

@@ -78,7 +78,7 @@ final class NodeRoles {
     node.call().target().ifPresent(this::visit);
     node.call().args().forEach(this::visit);
     switch (node.call().function()) {
-      case "_==_", "_!=_", "@in" -> node.call().args().forEach(a -> set(a, COMPARED));
+      case "@equals", "@not_equals", "@member" -> node.call().args().forEach(a -> set(a, COMPARED));
       case "_[_]" -> set(node.call().args().get(1), COMPARED);
       case "matches" -> {
         node.call().target().ifPresent(t -> set(t, SEARCHED));

@@ -36,19 +36,20 @@ import org.sitaf.core.expression.function.Signature.Result;
 public final class Library {
   /** Names of the operators over numbers, which replace those of CEL, by theirs. */
   public static final Map<String, String> OPERATORS =
-      Map.of(
-          "_+_", "@add",
-          "_-_", "@subtract",
-          "_*_", "@multiply",
-          "_/_", "@divide",
-          "_%_", "@modulo",
-          "-_", "@negate");
-
-  /**
-   * Replaces -0.0 by 0.0 in a value that is compared: CEL orders -0.0 before a whole 0, though they
-   * are the same number.
-   */
-  public static final String UNSIGNED_ZERO = "@unsigned_zero";
+      Map.ofEntries(
+          Map.entry("_+_", "@add"),
+          Map.entry("_-_", "@subtract"),
+          Map.entry("_*_", "@multiply"),
+          Map.entry("_/_", "@divide"),
+          Map.entry("_%_", "@modulo"),
+          Map.entry("-_", "@negate"),
+          Map.entry("_<_", "@less"),
+          Map.entry("_<=_", "@less_equals"),
+          Map.entry("_>_", "@greater"),
+          Map.entry("_>=_", "@greater_equals"),
+          Map.entry("_==_", "@equals"),
+          Map.entry("_!=_", "@not_equals"),
+          Map.entry("@in", "@member"));
 
   private static final Library INSTANCE = new Library();
 
@@ -115,7 +116,13 @@ public final class Library {
     bind2("@divide", Arithmetic::divide);
     bind2("@modulo", Arithmetic::modulo);
     bind1("@negate", Arithmetic::negate);
-    bind1(UNSIGNED_ZERO, Zeros::unsigned);
+    bind2("@less", Comparisons::less);
+    bind2("@less_equals", Comparisons::lessEquals);
+    bind2("@greater", Comparisons::greater);
+    bind2("@greater_equals", Comparisons::greaterEquals);
+    bind2("@equals", Comparisons::equals);
+    bind2("@not_equals", Comparisons::notEquals);
+    bind2("@member", Comparisons::isMember);
   }
 
   private void scalars() {
