@@ -24,6 +24,33 @@ describe('a build', () => {
     expect(history.location.pathname).toBe('/builds/b2');
   });
 
+  test('is run again for the cases that did not pass, and for one case', async () => {
+    const cases = resultCases(['PASS', 'FAIL', 'ERROR']);
+    server.cases.set('b1', cases);
+    server.builds.push({ ...doneBuild('b1', cases), priority: 7, shards: 3 });
+    const { user, history } = openPortal(server, '/builds/b1');
+    await user.click(await screen.findByRole('button', { name: 'Run failed cases again' }));
+    await screen.findByText('Queued');
+    expect(history.location.pathname).toBe('/builds/b2');
+    history.push('/builds/b1?case=2');
+    await user.click(await screen.findByRole('button', { name: 'Run case 2 again' }));
+    expect(await screen.findByText(/Only case 2\./)).toBeVisible();
+    const options = { suiteId: 's1', recordings: 'ALL', priority: 7, retries: 2 };
+    expect(server.buildRequests).toEqual([
+      { ...options, shards: 3, failedOf: 'b1' },
+      { ...options, cases: '2' },
+    ]);
+  });
+
+  test('of all passed cases offers no failed cases', async () => {
+    const cases = resultCases(['PASS']);
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1');
+    await screen.findByRole('button', { name: 'Build again' });
+    expect(screen.queryByRole('button', { name: 'Run failed cases again' })).toBeNull();
+  });
+
   test('is scheduled for later with its options', async () => {
     server.activities.push(activity('a1'));
     const { user } = openPortal(server, '/activities/a1');

@@ -127,3 +127,18 @@ def test_the_home_page_shows_builds_agents_and_failures(page):
     expect(page.get_by_role("region", name="Failing activities")).to_contain_text("None")
     expect(page.get_by_role("table", name="Agents")).to_contain_text("Online")
     shot(page, "home")
+
+
+def test_failed_cases_and_a_single_one_are_run_again(page):
+    """The component is fixed by now."""
+    builds = page.get_by_role("table", name="Builds")
+    builds.get_by_role("row").filter(has_text="50 of 55 passed, 5 failed").get_by_role("link").first.click()
+    page.get_by_role("button", name="Run failed cases again").click()
+    page.get_by_text(re.compile(r"^Only cases \d+(, \d+){4}\.")).wait_for()
+    page.get_by_text("All passed").wait_for()
+    expect(page.get_by_role("button", name="Run failed cases again")).to_have_count(0)
+    shot(page, "failed-again")
+    page.get_by_role("table", name="Cases").get_by_role("button", name=re.compile(r"^Case \d+$")).first.click()
+    page.get_by_role("button", name=re.compile(r"^Run case \d+ again$")).click()
+    page.get_by_text(re.compile(r"^Only case \d+\.")).wait_for()
+    page.get_by_text("All passed").wait_for()

@@ -1,5 +1,5 @@
 export { BuildForm } from './BuildForm';
-export { BuildAgain } from './BuildAgain';
+export { BuildAgain, RunCaseAgain } from './BuildAgain';
 export { BuildNow } from './BuildNow';
 export { BuildOptionsButton } from './BuildOptionsButton';
 export { useStartBuild } from './useStartBuild';

@@ -1,7 +1,7 @@
 import { Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import type { ReactNode } from 'react';
-import { BuildAgain } from '@/app/building';
+import { BuildAgain, RunCaseAgain } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type BuildSearch, type BuildTab } from '@/app/search';
@@ -52,6 +52,7 @@ export function BuildPage() {
       <RouteLink to="/builds/$buildId/cases/$caseNo" params={{ buildId, caseNo: String(no) }}>
         3D replay
       </RouteLink>
+      {done && <RunCaseAgain build={build.data} no={no} />}
       <CaseLog buildId={buildId} no={no} />
     </>
   );

@@ -56,6 +56,8 @@ function Facts({ build }: { build: Build }) {
   const now = useNow(1_000);
   return (
     <Text size="sm" c="dimmed">
+      {build.cases !== undefined &&
+        `Only case${/[,-]/.test(build.cases) ? 's' : ''} ${shortened(build.cases)}. `}
       Requested {formatInstant(build.created)}
       {build.started &&
         `, ${build.finished ? 'duration' : 'running for'} ${formatDuration(build.started, build.finished ?? now.toISOString())}`}
@@ -68,6 +70,14 @@ function Facts({ build }: { build: Build }) {
       {build.attempt > 1 && `, attempt ${build.attempt}`}
     </Text>
   );
+}
+
+/** A long list of numbers ends after the first of them. */
+function shortened(cases: string): string {
+  const shown = 80;
+  return cases.length <= shown
+    ? cases.replaceAll(',', ', ')
+    : `${cases.slice(0, cases.lastIndexOf(',', shown)).replaceAll(',', ', ')}, …`;
 }
 
 function Running({ build }: { build: Build }) {

@@ -8,7 +8,7 @@ import { isFinished, isSuspect } from './state';
 /** The number of recent builds that are searched. */
 const LOOK_BACK = 200;
 
-/** Test models whose latest finished build failed or could not run. */
+/** Test models whose latest finished build of all cases failed or could not run. */
 export function FailingActivities() {
   const builds = useBuilds(0, undefined, LOOK_BACK);
   if (builds.isPending) return <Loading what="failing activities" />;
@@ -43,7 +43,7 @@ function latestOfEach(builds: readonly Build[]): Build[] {
   const latest = new Map<string, Build>();
   for (const build of builds) {
     const key = JSON.stringify([build.activityId, build.model]);
-    if (isFinished(build) && !latest.has(key)) latest.set(key, build);
+    if (build.cases === undefined && isFinished(build) && !latest.has(key)) latest.set(key, build);
   }
   return [...latest.values()];
 }

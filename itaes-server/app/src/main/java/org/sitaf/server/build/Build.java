@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.build.request.BuildOptions;
@@ -73,6 +74,7 @@ public class Build {
   @Enumerated(EnumType.STRING)
   private RecordedCases recordedCases;
 
+  private @Nullable String caseNumbers;
   @Embedded private CaseProgress cases;
 
   @Enumerated(EnumType.STRING)
@@ -138,6 +140,8 @@ public class Build {
     this.created = now;
     freeze(application);
     this.recordedCases = application.recordedCases(options.recordings());
+    CaseNumbers numbers = options.cases();
+    this.caseNumbers = numbers == null ? null : numbers.merged().toString();
     if (reservation != null) {
       this.scheduleId = reservation.scheduleId();
       this.fireTime = reservation.fireTime();
@@ -322,6 +326,11 @@ public class Build {
   /** Time of the next attempt at the earliest; empty if there is no delay. */
   public Optional<Instant> notBefore() {
     return Optional.ofNullable(notBefore);
+  }
+
+  /** The cases that were requested, such as 9,12-20; empty for all. */
+  public Optional<String> caseNumbers() {
+    return Optional.ofNullable(caseNumbers);
   }
 
   /** Which cases are recorded in the simulation. */

@@ -6,12 +6,19 @@ import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.suite.CaseNumbers;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Verdict;
 import org.sitaf.server.activity.ActivityDeletion;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.request.BuildOptions;
@@ -22,6 +29,7 @@ import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.quota.Quotas;
+import org.sitaf.server.result.Results;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.suite.SuiteOrigin;
 import org.sitaf.server.suite.Suites;
@@ -41,6 +49,7 @@ public class Builds {
   private final AttemptRepository attempts;
   private final Suites suites;
   private final StoredFiles contents;
+  private final Results results;
   private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
@@ -52,6 +61,7 @@ public class Builds {
       AttemptRepository attempts,
       Suites suites,
       StoredFiles contents,
+      Results results,
       Quotas quotas,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
@@ -61,6 +71,7 @@ public class Builds {
     this.attempts = attempts;
     this.suites = suites;
     this.contents = contents;
+    this.results = results;
     this.quotas = quotas;
     this.transaction = transaction;
     this.events = events;
@@ -85,9 +96,54 @@ public class Builds {
    * @throws InvalidInputException if the test application cannot be generated
    */
   public String request(String suiteId, BuildOptions options, BuildSource source) {
-    TestApplication application = suites.application(suiteId);
+    TestApplication application = selected(suites.application(suiteId), options.cases());
     quotas.requireBuild(application.files());
     return queue(suites.origin(suiteId), application, options, source, null);
+  }
+
+  /**
+   * Requests a build of the cases that did not pass in an earlier build of the same suite.
+   *
+   * @return its id
+   * @throws InvalidInputException if the test application cannot be generated
+   */
+  public String requestFailed(
+      String suiteId, String earlierId, BuildOptions options, BuildSource source) {
+    if (!inspect(earlierId, Build::suiteId).equals(suiteId)) {
+      throw RequestException.malformed(
+          "failedOf: build " + earlierId + " is not a build of suite " + suiteId + ".");
+    }
+    Set<Integer> failed =
+        results.load(earlierId).cases().stream()
+            .filter(c -> c.verdict() != Verdict.PASS)
+            .map(CaseResult::no)
+            .collect(Collectors.toSet());
+    if (failed.isEmpty()) {
+      throw RequestException.conflict("All cases of build " + earlierId + " passed.");
+    }
+    return request(suiteId, options.withCases(CaseNumbers.of(failed)), source);
+  }
+
+  private static TestApplication selected(
+      TestApplication application, @Nullable CaseNumbers numbers) {
+    if (numbers == null) {
+      return application;
+    }
+    TestSuite suite = application.suite();
+    List<CaseNumbers.Range> missing = numbers.missing(suite);
+    if (!missing.isEmpty()) {
+      throw RequestException.malformed(
+          "cases: "
+              + missing.get(0)
+              + " does not exist; the suite has "
+              + suite.cases().size()
+              + " cases, numbered "
+              + suite.cases().stream().mapToInt(TestCase::no).min().orElse(0)
+              + " to "
+              + suite.cases().stream().mapToInt(TestCase::no).max().orElse(0)
+              + ".");
+    }
+    return Shards.withCases(application, numbers.select(suite).cases());
   }
 
   /**

@@ -36,7 +36,8 @@ final class Shards {
     return applications;
   }
 
-  private static TestApplication withCases(TestApplication application, List<TestCase> cases) {
+  /** The application with only these cases. */
+  static TestApplication withCases(TestApplication application, List<TestCase> cases) {
     TestSuite suite = application.suite();
     return new TestApplication(
         application.activity(),

@@ -171,7 +171,8 @@ class Schedule {
         retries,
         new AgentConstraints(
             toolchain, labels.isEmpty() ? Set.of() : Set.of(labels.split(SEPARATOR))),
-        recordedCases);
+        recordedCases,
+        null);
   }
 
   Instant created() {

@@ -95,7 +95,8 @@ record ScheduleRequest(
         retries,
         new AgentConstraints(
             toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
-        recordings);
+        recordings,
+        null);
   }
 
   Misfire misfireOrDefault() {

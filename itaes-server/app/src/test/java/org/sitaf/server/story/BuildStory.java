@@ -3,6 +3,7 @@ package org.sitaf.server.story;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.grpc.Status;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
@@ -12,7 +13,9 @@ import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.suite.TestCase;
 import org.sitaf.server.support.Activities;
+import org.sitaf.server.support.Api;
 import org.sitaf.server.support.FakeAgent;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
@@ -72,6 +75,78 @@ abstract class BuildStory extends SignalStory {
           .containsExactly(
               "QUEUED", "LEASED", "PREPARING", "COMPILING", "RUNNING", "UPLOADING", "DONE");
     }
+  }
+
+  @Test
+  void buildOfSomeCasesExecutesTheseWithTheirNumbers() {
+    String id = requestOf("\"cases\": \"12-14, 9, 14-15\"").expect(201).id();
+    assertThat(build(id).get("cases").asString()).isEqualTo("9,12-15");
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "some-cases", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      assertThat(assignment.getAttempt().getBuildId()).isEqualTo(id);
+      TestApplication application = agent.download(assignment);
+      assertThat(numbers(application)).containsExactly(9, 12, 13, 14, 15);
+      agent.submit(assignment.getAttempt(), FakeAgent.result(application, List.of(9, 13)));
+      JsonNode done = api.awaitState(id, "DONE");
+      assertThat(done.get("casesTotal").asInt()).isEqualTo(5);
+      assertThat(done.get("summary").get("fail").asInt()).isEqualTo(2);
+      assertThat(
+              api.get("/api/v1/builds/" + id + "/result/cases?verdict=FAIL")
+                  .expect(200)
+                  .json()
+                  .get("items"))
+          .extracting(c -> c.get("no").asInt())
+          .containsExactly(9, 13);
+
+      String failed = requestOf("\"failedOf\": \"" + id + "\"").expect(201).id();
+      assertThat(build(failed).get("cases").asString()).isEqualTo("9,13");
+      Assignment again = agent.nextAssignment();
+      TestApplication repeated = agent.download(again);
+      assertThat(numbers(repeated)).containsExactly(9, 13);
+      assertThat(repeated.suite().cases()).isSubsetOf(application.suite().cases());
+      agent.submit(again.getAttempt(), FakeAgent.result(repeated, List.of()));
+      api.awaitState(failed, "DONE");
+      assertThat(requestOf("\"failedOf\": \"" + failed + "\"").expect(409).text())
+          .contains("All cases of build " + failed + " passed.");
+    }
+  }
+
+  @Test
+  void shardsOfABuildOfSomeCasesShareThese() {
+    String id = requestOf("\"cases\": \"3,20-22\", \"shards\": 2").expect(201).id();
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "some-shards", "java")) {
+      List<Integer> executed = new ArrayList<>();
+      for (int i = 0; i < 2; i++) {
+        Assignment assignment = agent.nextAssignment();
+        TestApplication application = agent.download(assignment);
+        executed.addAll(numbers(application));
+        agent.submit(assignment.getAttempt(), FakeAgent.result(application, List.of(22)));
+      }
+      assertThat(executed).containsExactlyInAnyOrder(3, 20, 21, 22);
+    }
+    JsonNode done = api.awaitState(id, "DONE");
+    assertThat(done.get("cases").asString()).isEqualTo("3,20-22");
+    assertThat(done.get("summary").get("total").asInt()).isEqualTo(4);
+    assertThat(done.get("summary").get("fail").asInt()).isEqualTo(1);
+  }
+
+  @Test
+  void casesThatDoNotExistAreRejected() {
+    assertThat(requestOf("\"cases\": \"3,54-56\"").expect(400).text())
+        .contains("54-56 does not exist", "55 cases, numbered 1 to 55");
+    assertThat(requestOf("\"cases\": \"3;4\"").expect(400).text())
+        .contains("expected case numbers such as 9,12-20");
+    assertThat(requestOf("\"cases\": \"3\", \"failedOf\": \"x\"").expect(400).text())
+        .contains("cannot be given together");
+    requestOf("\"failedOf\": \"unknown\"").expect(404);
+  }
+
+  private Api.Answer requestOf(String options) {
+    return api.post("/api/v1/builds", "{\"suiteId\": \"" + suiteId + "\", " + options + "}");
+  }
+
+  private static List<Integer> numbers(TestApplication application) {
+    return application.suite().cases().stream().map(TestCase::no).toList();
   }
 
   @Test

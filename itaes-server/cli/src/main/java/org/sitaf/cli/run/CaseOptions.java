@@ -43,9 +43,9 @@ public final class CaseOptions {
       description = "Repeats the cases until one does not pass, at most as often as --repeat says.")
   boolean untilFailure;
 
-  /** Whether any of the options is given. */
-  boolean areGiven() {
-    return numbers != null || failed != null || repeat != null || untilFailure;
+  /** Whether the cases are executed several times. */
+  boolean areRepeated() {
+    return repeat != null || untilFailure;
   }
 
   /** How often the cases are executed at most. */

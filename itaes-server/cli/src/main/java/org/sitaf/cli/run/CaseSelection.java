@@ -34,7 +34,7 @@ public record CaseSelection(CaseOptions options, LastResults last, Path activity
   List<TestModel> models(List<TestModel> all) {
     if (all.size() > 1 && options.numbers != null) {
       throw InvalidInputException.of(
-          "--case " + text(options.numbers),
+          "--case " + options.numbers,
           "needs --model, since the activity has several: "
               + all.stream().map(TestModel::name).collect(Collectors.joining(", ")));
     }
@@ -114,11 +114,5 @@ public record CaseSelection(CaseOptions options, LastResults last, Path activity
       numbers.add(each.no());
     }
     return numbers;
-  }
-
-  private static String text(CaseNumbers numbers) {
-    return numbers.ranges().stream()
-        .map(CaseNumbers.Range::toString)
-        .collect(Collectors.joining(","));
   }
 }

@@ -115,10 +115,9 @@ public final class RunCommand implements Callable<Integer> {
           "--strength, --max-cases and --effort are not available with --server; set"
               + " order_of_combinations and max_cases in the model");
     }
-    if (remote.isRemote() && cases.areGiven()) {
+    if (remote.isRemote() && cases.areRepeated()) {
       throw new CommandLine.ParameterException(
-          spec.commandLine(),
-          "--case, --failed, --repeat and --until-failure are not available with --server");
+          spec.commandLine(), "--repeat and --until-failure are not available with --server");
     }
     FileTree files = UserFiles.folder(arguments.folder());
     Activity activity = Installation.read(files);
@@ -138,14 +137,23 @@ public final class RunCommand implements Callable<Integer> {
   private int runRemotely(
       FileTree files, Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
       throws IOException, InterruptedException {
-    List<TestModel> models = arguments.modelsOf(activity);
+    LastResults last = lastResults();
+    CaseSelection selection = new CaseSelection(cases, last, arguments.folder());
+    List<TestModel> models = selection.models(arguments.modelsOf(activity));
     int exitCode = 0;
     try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt)) {
       RemoteRun run = remote.upload(arguments.folder(), files, activity, System.err);
       for (TestModel model : models) {
         try {
-          TestResult result = run.test(model.name(), generation.seed());
+          Optional<RemoteRun.Ended> ended =
+              run.test(model.name(), generation.seed(), suite -> selection.of(model, suite));
+          if (ended.isEmpty()) {
+            reportNothingToRun(model, err);
+            continue;
+          }
+          TestResult result = ended.get().result();
           print(result, out);
+          last.keep(arguments.folder(), model, result, ended.get().whole());
           results.add(result);
           exitCode = worse(exitCode, exitCode(result));
         } catch (InvalidInputException e) {
@@ -161,7 +169,7 @@ public final class RunCommand implements Callable<Integer> {
       throws IOException, InterruptedException {
     int exitCode = 0;
     Path state = Installation.current().state();
-    LastResults last = new LastResults(state.resolve("results"));
+    LastResults last = lastResults();
     CaseSelection selection = new CaseSelection(cases, last, arguments.folder());
     List<TestModel> models = selection.models(arguments.modelsOf(activity));
     if (debugging.debug) {
@@ -187,8 +195,7 @@ public final class RunCommand implements Callable<Integer> {
         Sitaf.print(generated.notes(), err);
         TestSuite selected = selection.of(model, generated.suite());
         if (selected.cases().isEmpty() && !generated.suite().cases().isEmpty()) {
-          err.println(model.name() + ": nothing to run, every case passed");
-          err.flush();
+          reportNothingToRun(model, err);
           continue;
         }
         if (debugging.debug) {
@@ -216,6 +223,15 @@ public final class RunCommand implements Callable<Integer> {
       }
     }
     return exitCode;
+  }
+
+  private static LastResults lastResults() {
+    return new LastResults(Installation.current().state().resolve("results"));
+  }
+
+  private static void reportNothingToRun(TestModel model, PrintWriter err) {
+    err.println(model.name() + ": nothing to run, every case passed");
+    err.flush();
   }
 
   private int debug(

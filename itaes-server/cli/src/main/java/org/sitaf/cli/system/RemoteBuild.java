@@ -15,6 +15,7 @@ import org.sitaf.cli.terminal.Printable;
 import org.sitaf.cli.terminal.ProgressLine;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.TestResultXml;
 import tools.jackson.databind.JsonNode;
@@ -52,18 +53,27 @@ final class RemoteBuild {
   /**
    * Builds a suite and waits for its result document.
    *
+   * @param cases the cases that are executed; null for all
    * @throws InvalidInputException if the build has no result; contains the reason
    * @throws InterruptedException if this thread is interrupted; the build is cancelled
    */
   byte[] build(String suiteId) throws IOException, InterruptedException {
-    request(suiteId, new RemoteRun.Source("", Map.of()));
+    request(suiteId, null, new RemoteRun.Source("", Map.of()));
     return await();
   }
 
-  /** Requests the build of a suite. */
-  void request(String suiteId, RemoteRun.Source source) throws IOException, InterruptedException {
+  /**
+   * Requests the build of a suite.
+   *
+   * @param cases null for all
+   */
+  void request(String suiteId, @Nullable CaseNumbers cases, RemoteRun.Source source)
+      throws IOException, InterruptedException {
     Map<String, Object> request = new LinkedHashMap<>();
     request.put("suiteId", suiteId);
+    if (cases != null) {
+      request.put("cases", cases.merged().toString());
+    }
     if (!source.commit().isEmpty()) {
       request.put("commit", source.commit());
     }

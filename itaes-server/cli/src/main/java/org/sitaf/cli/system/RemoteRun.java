@@ -1,14 +1,23 @@
 package org.sitaf.cli.system;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.net.URI;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.terminal.ProgressLine;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.suite.CaseNumbers;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.core.verdict.TestResult;
 import tools.jackson.databind.JsonNode;
 
@@ -96,32 +105,63 @@ public final class RemoteRun {
   }
 
   /**
+   * The result of a build.
+   *
+   * @param whole whether the whole suite was executed
+   */
+  public record Ended(TestResult result, boolean whole) {}
+
+  /**
    * Tests one model; cancels its build if this thread is interrupted.
    *
+   * @param selection selects the cases of the server's suite that are executed
+   * @return empty if no case was selected
    * @throws InvalidInputException if the build has no result; contains the reason
    */
-  public TestResult test(String model, long seed) throws IOException, InterruptedException {
+  public Optional<Ended> test(String model, long seed, UnaryOperator<TestSuite> selection)
+      throws IOException, InterruptedException {
     try (ProgressLine progress = new ProgressLine(err)) {
       RemoteBuild build = new RemoteBuild(server, progress).followedBy(err);
-      request(build, model, seed, progress);
+      Optional<Boolean> whole = request(build, model, seed, selection, progress);
+      if (whole.isEmpty()) {
+        return Optional.empty();
+      }
       byte[] document = build.await();
       progress.step(model + ": " + address.resolve("/builds/" + build.id()));
-      return RemoteBuild.parse(document);
+      return Optional.of(new Ended(RemoteBuild.parse(document), whole.get()));
     }
   }
 
-  /** Requests a build of the files of this machine, whatever others do with the activity. */
-  private void request(RemoteBuild build, String model, long seed, ProgressLine progress)
+  /**
+   * Requests a build of the files of this machine, whatever others do with the activity.
+   *
+   * @return whether it has all cases; empty if no case was selected
+   */
+  private Optional<Boolean> request(
+      RemoteBuild build,
+      String model,
+      long seed,
+      UnaryOperator<TestSuite> selection,
+      ProgressLine progress)
       throws IOException, InterruptedException {
     for (int attempt = 1; attempt <= MAX_ATTEMPTS; attempt++) {
       progress.step(model + ": generating test cases");
       JsonNode suite =
           server.post(
               "activities/" + activity.id() + "/models/" + model + "/suites", Map.of("seed", seed));
-      build.request(suite.path("id").asString(), source);
+      String suiteId = suite.path("id").asString();
+      TestSuite all =
+          TestSuiteXml.read(
+              new ByteArrayInputStream(server.document("suites/" + suiteId + "/document")), model);
+      TestSuite selected = selection.apply(all);
+      if (selected.cases().isEmpty() && !all.cases().isEmpty()) {
+        return Optional.empty();
+      }
+      boolean whole = selected.cases().size() == all.cases().size();
+      build.request(suiteId, whole ? null : CaseNumbers.of(numbers(selected)), source);
       try {
         if (activity.isUnchanged()) {
-          return;
+          return Optional.of(whole);
         }
       } catch (InterruptedException e) {
         build.cancel();
@@ -132,5 +172,9 @@ public final class RemoteRun {
     throw InvalidInputException.of(
         "activity " + activity.id(),
         "others update it at the same time; run again, or name another one with --activity");
+  }
+
+  private static Set<Integer> numbers(TestSuite suite) {
+    return suite.cases().stream().map(TestCase::no).collect(Collectors.toSet());
   }
 }

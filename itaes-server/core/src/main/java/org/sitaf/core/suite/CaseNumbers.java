@@ -1,8 +1,11 @@
 package org.sitaf.core.suite;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -29,10 +32,6 @@ public record CaseNumbers(List<Range> ranges) {
                 ? "case numbers start at 1, not " + from
                 : "'" + from + "-" + to + "' ends before it starts");
       }
-    }
-
-    private boolean contains(int no) {
-      return from <= no && no <= to;
     }
 
     @Override
@@ -66,11 +65,37 @@ public record CaseNumbers(List<Range> ranges) {
     return new CaseNumbers(numbers.stream().sorted().map(no -> new Range(no, no)).toList());
   }
 
+  /** The same numbers in ascending ranges that neither overlap nor touch. */
+  public CaseNumbers merged() {
+    List<Range> sorted = new ArrayList<>();
+    for (Range next : ranges.stream().sorted(Comparator.comparingInt(Range::from)).toList()) {
+      Range last = sorted.isEmpty() ? null : sorted.get(sorted.size() - 1);
+      if (last == null || next.from() > last.to() + 1) {
+        sorted.add(next);
+      } else {
+        sorted.set(sorted.size() - 1, new Range(last.from(), Math.max(last.to(), next.to())));
+      }
+    }
+    return new CaseNumbers(sorted);
+  }
+
+  /** The list as {@link #parse} reads it. */
+  @Override
+  public String toString() {
+    return ranges.stream().map(Range::toString).collect(Collectors.joining(","));
+  }
+
   /** The suite with only these cases, which keep their numbers. */
   public TestSuite select(TestSuite suite) {
+    TreeMap<Integer, Integer> lastOfFirst = new TreeMap<>();
+    merged().ranges().forEach(r -> lastOfFirst.put(r.from(), r.to()));
     return suite.withCases(
         suite.cases().stream()
-            .filter(c -> ranges.stream().anyMatch(r -> r.contains(c.no())))
+            .filter(
+                c -> {
+                  Map.Entry<Integer, Integer> range = lastOfFirst.floorEntry(c.no());
+                  return range != null && c.no() <= range.getValue();
+                })
             .toList());
   }
 

@@ -42,6 +42,14 @@ class CaseNumbersTest {
     assertThat(CaseNumbers.of(Set.of(4, 1)).missing(suite(1, 3, 4))).isEmpty();
   }
 
+  @Test
+  void mergesRangesThatOverlapOrTouch() {
+    CaseNumbers numbers = CaseNumbers.parse("12-20,3,15-22,4,1,8-9");
+    assertThat(numbers).hasToString("12-20,3,15-22,4,1,8-9");
+    assertThat(numbers.merged()).hasToString("1,3-4,8-9,12-22");
+    assertThat(CaseNumbers.of(Set.of(2, 1, 3, 7)).merged()).hasToString("1-3,7");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"", "0", "3-", "-3", "5-3", "1,,2", "x", "99999999999"})
   void rejectsOtherText(String text) {

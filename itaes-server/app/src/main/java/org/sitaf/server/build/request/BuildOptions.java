@@ -1,6 +1,7 @@
 package org.sitaf.server.build.request;
 
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.server.error.RequestException;
 
 /**
@@ -12,19 +13,24 @@ import org.sitaf.server.error.RequestException;
  *     tests are not retried
  * @param agent what the agent must provide
  * @param recordings which cases are recorded; null for {@link RecordedCases#byDefault}
+ * @param cases the cases to execute, which keep their numbers; null for all
  */
 public record BuildOptions(
     int priority,
     int shards,
     @Nullable Integer retries,
     AgentConstraints agent,
-    @Nullable RecordedCases recordings) {
+    @Nullable RecordedCases recordings,
+    @Nullable CaseNumbers cases) {
   public static final BuildOptions DEFAULT =
-      new BuildOptions(0, 1, null, AgentConstraints.NONE, null);
+      new BuildOptions(0, 1, null, AgentConstraints.NONE, null, null);
 
   private static final int MAX_PRIORITY = 100;
   private static final int MAX_SHARDS = 100;
   private static final int MAX_RETRIES = 99;
+
+  /** The size of the column. */
+  private static final int MAX_CASES_TEXT = 100_000;
 
   public BuildOptions {
     if (Math.abs(priority) > MAX_PRIORITY) {
@@ -36,5 +42,14 @@ public record BuildOptions(
     if (retries != null && (retries < 0 || retries > MAX_RETRIES)) {
       throw RequestException.malformed("retries: must be 0 to 99.");
     }
+    if (cases != null && cases.merged().toString().length() > MAX_CASES_TEXT) {
+      throw RequestException.malformed(
+          "cases: must be at most " + MAX_CASES_TEXT + " characters; build the whole suite.");
+    }
+  }
+
+  /** These options for other cases; null for all. */
+  public BuildOptions withCases(@Nullable CaseNumbers numbers) {
+    return new BuildOptions(priority, shards, retries, agent, recordings, numbers);
   }
 }

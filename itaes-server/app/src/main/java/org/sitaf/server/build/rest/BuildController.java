@@ -70,13 +70,17 @@ class BuildController {
       summary = "Requests a build of a suite",
       description =
           "The test application is generated from the current state of the activity and stored with"
-              + " the build.")
+              + " the build. A build of some cases has the result of these cases only.")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<BuildView> request(@RequestBody BuildRequest request) {
     if (request.suiteId() == null) {
       throw RequestException.malformed("suiteId must be given.");
     }
-    String id = builds.request(request.suiteId(), request.options(), request.source());
+    String id =
+        request.failedOf() == null
+            ? builds.request(request.suiteId(), request.options(), request.source())
+            : builds.requestFailed(
+                request.suiteId(), request.failedOf(), request.options(), request.source());
     return ResponseEntity.created(URI.create("/api/v1/builds/" + id)).body(view(id));
   }
 

@@ -4,10 +4,12 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.BuildSource;
 import org.sitaf.server.build.request.RecordedCases;
+import org.sitaf.server.error.RequestException;
 
 /** A request to build a suite. */
 @Schema(name = "BuildRequest")
@@ -36,7 +38,17 @@ record BuildRequest(
                     + " it; at most 100 characters")
         @Nullable String commit,
     @Schema(description = "says what is built, by key; at most 20 of 200 characters")
-        @Nullable Map<String, String> buildLabels) {
+        @Nullable Map<String, String> buildLabels,
+    @Schema(
+            description =
+                "numbers and ranges of the cases to execute, such as 9,12-20; they keep their"
+                    + " numbers; default all")
+        @Nullable String cases,
+    @Schema(
+            description =
+                "id of a build of the same suite whose cases that did not pass are executed; not"
+                    + " together with cases")
+        @Nullable String failedOf) {
 
   BuildSource source() {
     return new BuildSource(
@@ -51,6 +63,21 @@ record BuildRequest(
         retries,
         new AgentConstraints(
             toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
-        recordings);
+        recordings,
+        numbers());
+  }
+
+  private @Nullable CaseNumbers numbers() {
+    if (cases == null) {
+      return null;
+    }
+    if (failedOf != null) {
+      throw RequestException.malformed("cases: cannot be given together with failedOf.");
+    }
+    try {
+      return CaseNumbers.parse(cases);
+    } catch (IllegalArgumentException e) {
+      throw RequestException.malformed("cases: " + e.getMessage() + ".");
+    }
   }
 }

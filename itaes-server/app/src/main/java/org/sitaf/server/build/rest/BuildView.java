@@ -62,7 +62,9 @@ record BuildView(
                     + " absent if it is not known")
         @Nullable String commit,
     @Schema(description = "what the requester says about the build, by key")
-        Map<String, String> buildLabels) {
+        Map<String, String> buildLabels,
+    @Schema(description = "the cases that were requested, such as 9,12-20; absent for all")
+        @Nullable String cases) {
 
   /** The states of {@link BuildState}, except those of attempts only. */
   enum State {
@@ -191,7 +193,8 @@ record BuildView(
             .orElse(null),
         build.maxAttempts() - 1,
         build.source().commit(),
-        new TreeMap<>(build.source().labels()));
+        new TreeMap<>(build.source().labels()),
+        build.caseNumbers().orElse(null));
   }
 
   private static <R extends Requirement> Stream<R> requirements(Build build, Class<R> kind) {
