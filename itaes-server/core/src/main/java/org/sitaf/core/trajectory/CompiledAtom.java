@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.RowExpression;
+import org.sitaf.core.expression.type.Type;
 
 /** Evaluates an atom at all samples; only where one of its signals has changed. */
 final class CompiledAtom {
@@ -72,22 +73,31 @@ final class CompiledAtom {
   }
 
   /**
-   * What is wrong with an atom that is no comparison and uses only signals; empty if nothing is.
+   * What is wrong with an atom that is no comparison, as far as its type or, if it uses only
+   * signals, its value shows; empty if nothing is.
    */
   String problem() {
-    if (comparison.isPresent() || variables < expression.variables().size()) {
+    if (comparison.isPresent()) {
+      return "";
+    }
+    if (!expression.type().equals(Type.BOOLEAN) && !expression.type().isOpen()) {
+      return noTruth();
+    }
+    if (variables < expression.variables().size()) {
       return "";
     }
     try {
       Object value =
           expression.overRows(signals, columnsOfLists, Map.of()).value(new double[signals.size()]);
-      return value instanceof Boolean
-          ? ""
-          : "'" + expression.text() + "' is neither true nor false; compare it, such as == 0.0";
+      return value instanceof Boolean ? "" : noTruth();
     } catch (EvaluationException e) {
       // It may have a value for other samples.
       return "";
     }
+  }
+
+  private String noTruth() {
+    return "'" + expression.text() + "' is neither true nor false; compare it, such as == 0.0";
   }
 
   /**

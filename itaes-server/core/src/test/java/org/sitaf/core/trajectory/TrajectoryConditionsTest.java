@@ -127,6 +127,10 @@ class TrajectoryConditionsTest {
         .containsExactly(
             "column 8 of the formula: 'bumped' is neither true nor false; compare it, such as =="
                 + " 0.0");
+    assertThat(problems("always(goal)"))
+        .singleElement()
+        .asString()
+        .contains("'goal' is neither true nor false");
   }
 
   @Test
