@@ -66,6 +66,11 @@ public final class FalsifyCommand implements Callable<Integer> {
       description = "Maximum number of executed cases (default: ${DEFAULT-VALUE}).")
   private int budget = 200;
 
+  @Option(
+      names = "--random",
+      description = "Executes cases with random values of the ranges only, to compare.")
+  private boolean random;
+
   @Option(names = "--json", paramLabel = "FILE", description = "Also writes the result as JSON.")
   private @Nullable Path json;
 
@@ -113,7 +118,8 @@ public final class FalsifyCommand implements Callable<Integer> {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       MarginRuns runs = new MarginRuns(builds, activity, model, suite, condition, err);
-      found = new Falsification(space, budget, seed.value(), runs).search(first);
+      Falsification search = new Falsification(space, budget, seed.value(), runs);
+      found = random ? search.searchUniformly(first) : search.search(first);
     }
     if (found.row().isEmpty()) {
       throw InvalidInputException.of(

@@ -124,6 +124,39 @@ public final class Falsification {
     return new Found(best.row(), best.outcome(), executions);
   }
 
+  /**
+   * Executes cases with uniformly distributed values until one violates the condition: the rival of
+   * {@link #search}, whose batches have the same size.
+   *
+   * @param others give the values of inputs without a range
+   */
+  public Found searchUniformly(List<List<Value>> others) throws InterruptedException {
+    Well19937c random = new Well19937c(seed);
+    int fruitless = 0;
+    while (!isOver() && !others.isEmpty() && fruitless < MAX_FRUITLESS) {
+      int before = executions;
+      List<List<Value>> rows = new ArrayList<>();
+      for (int i = 0; i < population(); i++) {
+        rows.add(anywhere(others, random));
+      }
+      execute(rows);
+      fruitless = executions == before ? fruitless + 1 : 0;
+    }
+    return new Found(best.row(), best.outcome(), executions);
+  }
+
+  private List<Value> anywhere(List<List<Value>> others, Well19937c random) {
+    double[] point = new double[space.dimensions()];
+    Arrays.setAll(point, d -> random.nextDouble());
+    return space.row(others.get(random.nextInt(others.size())), point);
+  }
+
+  /** The number of cases in a generation, and in a batch. */
+  private int population() {
+    int dimensions = space.dimensions();
+    return 4 + (int) (3 * Math.log(dimensions)) + dimensions % 2;
+  }
+
   /** The best start that is far from what was searched; a random one if there is none. */
   private List<Value> start(List<List<Value>> starts, List<double[]> searched, Well19937c random) {
     for (List<Value> start : starts) {
@@ -132,10 +165,7 @@ public final class Falsification {
         return start;
       }
     }
-    double[] point = new double[space.dimensions()];
-    Arrays.setAll(point, d -> random.nextDouble());
-    List<Value> others = starts.get(random.nextInt(starts.size()));
-    return space.row(others, point);
+    return anywhere(starts, random);
   }
 
   private static double distance(double[] one, double[] other) {
@@ -189,7 +219,7 @@ public final class Falsification {
   /** The points of the next generation; empty if the optimiser has converged. */
   private List<double[]> ask(List<Value> start, long runSeed, List<Double> values) {
     int dimensions = space.dimensions();
-    int population = 4 + (int) (3 * Math.log(dimensions)) + dimensions % 2;
+    int population = population();
     List<double[]> asked = new ArrayList<>();
     int[] count = {0};
     ObjectiveFunction margin =

@@ -7,7 +7,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.falsify.Falsification.Executor;
@@ -96,19 +95,13 @@ class FalsificationTest {
       assertThat(found.outcome().violated()).as("seed " + seed).isTrue();
       assertThat(found.executions()).isLessThanOrEqualTo(BUDGET);
       searched.add(found.executions());
-      drawn.add(uniform(seed));
+      Found random =
+          new Falsification(SearchSpace.of(model, seed), 10_000, seed, executor())
+              .searchUniformly(first);
+      assertThat(random.outcome().violated()).as("random, seed " + seed).isTrue();
+      drawn.add(random.executions());
     }
     assertThat(median(searched)).isLessThan(median(drawn));
-  }
-
-  private static int uniform(long seed) {
-    SplittableRandom random = new SplittableRandom(seed);
-    for (int i = 1; i <= 10_000; i++) {
-      if (margin(random.nextDouble(-1, 1), random.nextDouble(-1, 1)) < 0) {
-        return i;
-      }
-    }
-    return 10_000;
   }
 
   private static double median(List<Integer> numbers) {
