@@ -11,6 +11,25 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 LIMIT_S = 600
 
+# These run for a minute or more each. They begin before the others, so that no worker waits for the last of them alone.
+LONGEST = (
+    "faults/test_hostile.py",
+    "e2e/portal/",
+    "e2e/test_languages.py",
+    "faults/test_programs.py",
+    "e2e/test_examples.py",
+    "e2e/test_cpp.py",
+    "e2e/test_overlap.py",
+    "e2e/test_compare.py",
+    "faults/test_full_server_disk.py",
+    "faults/test_full_disk.py",
+    "e2e/test_libraries.py",
+    "e2e/test_server.py",
+    "e2e/test_ros2.py",
+    "e2e/test_ros2_sequences.py",
+    "e2e/test_new.py",
+)
+
 
 @dataclass(frozen=True)
 class Sitaf:
@@ -30,6 +49,14 @@ class Sitaf:
             env={**os.environ, **(env or {})},
             input=stdin,
         )
+
+
+def pytest_collection_modifyitems(items):
+    def rank(item):
+        file = item.nodeid.partition("::")[0]
+        return next((i for i, begin in enumerate(LONGEST) if file.startswith(begin)), len(LONGEST))
+
+    items.sort(key=rank)
 
 
 @pytest.hookimpl(optionalhook=True)

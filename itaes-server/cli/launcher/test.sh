@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs all tests. --fast: format, lint and unit tests only.
+# Runs the tests except long ones. --all: long ones too. --fast: format, lint and unit tests only.
 set -euo pipefail
 home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
 state=$home/.sitaf
@@ -7,7 +7,20 @@ state=$home/.sitaf
 source "$home/itaes-server/cli/launcher/setup.sh"
 
 fast=false
-[ "${1:-}" = --fast ] && fast=true
+without="long"
+case "${1:-}" in
+  "") ;;
+  --fast) fast=true without="slow long" ;;
+  --all) without="" ;;
+  *)
+    echo "sitaf: error: test: unknown option '$1': expected --fast, --all or nothing" >&2
+    exit 2
+    ;;
+esac
+# The tags as Maven and as pytest expect them.
+java_groups=(-DexcludedGroups="${without// /,}")
+python_marks=()
+[ -z "$without" ] || python_marks=(-m "not (${without// / or })")
 [ -d "$home/../shared" ] || echo "sitaf: no ../shared next to the source tree: tests that need it are skipped"
 
 section() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
@@ -24,7 +37,7 @@ fi
 bridge_tests() {
   cd "$home/sim-bridge"
   bash check.sh "$python"
-  if $fast; then "$python" -m pytest -q -m "not slow"; else "$python" -m pytest -q; fi
+  "$python" -m pytest -q "${python_marks[@]}"
 }
 
 runtime_tests() {
@@ -65,7 +78,7 @@ await_beside() {
 section "Java and portal: format, lint, types, tests"
 cd "$home"
 if $fast; then
-  mvn -B -ntp -q -T 2 verify -DexcludedGroups=slow -Dportal.check=check:changed -Dsitaf.bridge.python="$python"
+  mvn -B -ntp -q -T 2 verify "${java_groups[@]}" -Dportal.check=check:changed -Dsitaf.bridge.python="$python"
   await_beside
   exit 0
 fi
@@ -73,7 +86,7 @@ touch "$state/java.begun"
 # The agent's tests and the launcher compile the same runtime of C++ applications, which takes a minute.
 compiled=$home/tba-agent/agent/target/test-cache/cpp/runtime
 [ ! -d "$state/cache/cpp/runtime" ] || [ -d "$compiled" ] || { mkdir -p "$compiled" && cp -r "$state/cache/cpp/runtime/." "$compiled"; }
-mvn -B -ntp -T 2 verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
+mvn -B -ntp -T 2 verify "${java_groups[@]}" -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
 
 # Install the tested build, so that the launcher does not build again.
 locked
@@ -92,5 +105,5 @@ fi
 
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
 cd "$home/tests"
-"$python" -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder --durations 12
+"$python" -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder --durations 12 "${python_marks[@]}"
 section "Done"
