@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -203,8 +204,15 @@ def test_a_component_that_cannot_be_created_is_not_comparable(compare, tmp_path)
     assert "no_such_module" in found["not_comparable"][0]["reason"]
 
 
-def test_a_motion_diverges_at_its_first_step(compare):
-    code, found, output = compare("examples/wall-approach", "examples/wall-approach-faulty")
+@pytest.mark.parametrize("values", ["one", pytest.param("all", marks=pytest.mark.long)])
+def test_a_motion_diverges_at_its_first_step(compare, sitaf, tmp_path, values):
+    faulty = shutil.copytree(sitaf.root / "examples" / "wall-approach-faulty", tmp_path / "faulty")
+    if values == "one":
+        model = faulty / "Approach.xml"
+        text, removed = re.subn(r"(<value>[^<]*</value>)(?:<value>[^<]*</value>)+", r"\1", model.read_text())
+        assert removed == 3
+        model.write_text(text)
+    code, found, output = compare("examples/wall-approach", faulty)
     assert code == 1, output
     by_class = {d["class"]: d for d in found["differences"] if d["no"] == found["differences"][0]["no"]}
     assert {"commands", "observed", "trajectory"} <= set(by_class)

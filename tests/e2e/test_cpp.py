@@ -138,6 +138,7 @@ def test_warnings_and_the_own_frame_of_a_crash_are_shown(sitaf, cpp_activity):
 
 
 @cpp
+@pytest.mark.long  # Compiles the runtime with the other compiler.
 @pytest.mark.skipif(shutil.which("clang++") is None and "CI" not in os.environ, reason="needs clang++")
 def test_the_environment_selects_the_compiler(sitaf, cpp_activity):
     clang = {"CXX": "clang++"}
@@ -148,6 +149,10 @@ def test_the_environment_selects_the_compiler(sitaf, cpp_activity):
     spoilt = sitaf("run", cpp_activity, env=clang)
     assert spoilt.returncode == 2
     assert re.search(r"infrared_sensor\.cpp:\d+:\d+: error: use of undeclared identifier 'nonsense'", spoilt.stderr), spoilt.stderr
+
+
+@cpp
+def test_a_missing_compiler_of_the_environment_is_reported(sitaf, cpp_activity):
     missing = sitaf("run", cpp_activity, env={"CXX": "no-such-compiler"})
     assert missing.returncode == 2
     assert "CXX names 'no-such-compiler', which is not an executable program" in missing.stderr, missing.stderr
@@ -164,8 +169,9 @@ def test_an_exception_in_cpp_is_an_error_with_its_message(sitaf, cpp_activity):
 
 
 @cpp
-def test_caches_do_not_change_the_result_of_edits(sitaf):
-    ran = sitaf("bench", "cache", "--edits", "16")
+@pytest.mark.parametrize("edits", [4, pytest.param(16, marks=pytest.mark.long)])
+def test_caches_do_not_change_the_result_of_edits(sitaf, edits):
+    ran = sitaf("bench", "cache", "--edits", edits)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert ran.stdout.splitlines()[-1] == "cache: held"
 

@@ -207,11 +207,12 @@ def test_a_second_goal_preempts_the_first_one(sitaf, language, tmp_path):
     assert any(first[0] == "Navigate" and first[2] == then[2] for first, then in pairs)
 
 
+@pytest.mark.parametrize("times", [2, pytest.param(6, marks=pytest.mark.long)])
 @pytest.mark.parametrize("language", ["java", "cpp", "python"])
-def test_overlapping_calls_give_the_same_in_each_run(sitaf, language, tmp_path):
+def test_overlapping_calls_give_the_same_in_each_run(sitaf, language, times, tmp_path):
     activity = activity_in(sitaf, language, tmp_path / "activity")
     runs = []
-    for number in range(4):
+    for number in range(times):
         run = sitaf("run", activity, "--result", tmp_path / f"result{number}")
         assert run.returncode == 0, run.stdout + run.stderr
         runs.append(steps_of(tmp_path / f"result{number}"))

@@ -153,15 +153,20 @@ def test_authentication_errors_are_reported(sitaf, server, address, token, expec
     assert expected in run.stderr
 
 
-def test_requests_of_the_openapi_document_do_not_break_the_server(server, tmp_path):
+@pytest.mark.parametrize(
+    ("phases", "examples"),
+    [("examples,fuzzing", "2"), pytest.param("examples,coverage,fuzzing", "8", marks=pytest.mark.long)],
+    ids=["short", "long"],
+)
+def test_requests_of_the_openapi_document_do_not_break_the_server(server, tmp_path, phases, examples):
     pytest.importorskip("schemathesis", reason="./sitaf test installs it")
     fuzz = subprocess.run(
         [
             sys.executable, "-m", "schemathesis.cli", "run", server.address + "/v3/api-docs",
             "--header", f"Authorization: Bearer {server.token}",
             "--checks", "not_a_server_error",
-            "--max-examples", os.environ.get("SITAF_FUZZ_EXAMPLES", "8"),
-            "--phases", "examples,coverage,fuzzing",
+            "--max-examples", os.environ.get("SITAF_FUZZ_EXAMPLES", examples),
+            "--phases", phases,
             "--seed", "1",
             # Requests that would revoke the token are excluded.
             *(word for name in ("signOut", "revokeToken", "deleteUser", "changeUser", "resetPassword", "changePassword")

@@ -26,8 +26,13 @@ def outage(installed, tmp_path_factory):
 
 @pytest.mark.parametrize(
     ("program", "arguments"),
-    [("lease", ()), ("cluster", ("--kills", "3")), ("kill", ("--kills", "20", "--within-s", "240"))],
-    ids=["lease", "cluster", "kill"],
+    [
+        pytest.param("lease", (), id="lease"),
+        pytest.param("cluster", ("--kills", "1"), id="cluster"),
+        pytest.param("cluster", ("--kills", "3"), id="cluster-longer", marks=pytest.mark.long),
+        pytest.param("kill", ("--kills", "8", "--within-s", "240"), id="kill"),
+        pytest.param("kill", ("--kills", "20", "--within-s", "240"), id="kill-longer", marks=pytest.mark.long),
+    ],
 )
 def test_no_result_is_lost_after_kills_and_pauses(installed, outage, program, arguments):
     ran = installed("bench", program, *arguments)
