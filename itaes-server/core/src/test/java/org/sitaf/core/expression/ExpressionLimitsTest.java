@@ -16,11 +16,13 @@ import java.util.stream.IntStream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The evaluation of any expression ends, within limits of steps and memory. */
+@Tag("slow")
 class ExpressionLimitsTest {
   private static final String DIGITS = "[0,1,2,3,4,5,6,7,8,9]";
 

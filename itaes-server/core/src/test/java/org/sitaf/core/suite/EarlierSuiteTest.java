@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.combine.Effort;
 import org.sitaf.core.diagnostic.Diagnostic;
@@ -16,6 +17,7 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
 
 /** A suite of a changed model keeps existing cases, and numbers of cases are never reused. */
+@Tag("slow")
 class EarlierSuiteTest {
   private static TestModel model(String... elements) {
     return model("", List.of(elements));

@@ -11,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -20,6 +21,7 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
 
 /** The generation for any model ends: with the cases, or with an error that states the limit. */
+@Tag("slow")
 class GenerationLimitsTest {
   @Test
   void evaluatesTheOperandsOfAConjunctionSeparately() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.CompilationFailed;
@@ -22,6 +23,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
 /** A build without any server, with a real compiler and real processes. */
+@Tag("slow")
 class BuildRunTest {
   @TempDir private Path directory;
   private final Recording recording = new Recording();

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.Completed;
@@ -18,6 +19,7 @@ import org.sitaf.core.verdict.Coverage.Line;
 import org.sitaf.core.verdict.TestResult;
 
 /** The result contains the line coverage of the component. */
+@Tag("slow")
 class CoverageTest {
   private static final String BRANCHING =
       """

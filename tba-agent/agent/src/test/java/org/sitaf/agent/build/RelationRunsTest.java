@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.Completed;
@@ -18,6 +19,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
 /** The cases of a build run a second time for each relation. */
+@Tag("slow")
 class RelationRunsTest {
   private static final String COMPONENT =
       """

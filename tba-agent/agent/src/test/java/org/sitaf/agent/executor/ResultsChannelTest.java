@@ -14,6 +14,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,6 +26,7 @@ import org.sitaf.core.verdict.ResultAssembler;
 import org.sitaf.core.verdict.Verdict;
 
 /** Lines in the results channel and how they are handled. */
+@Tag("slow")
 @Timeout(60)
 class ResultsChannelTest {
   @TempDir private Path folder;

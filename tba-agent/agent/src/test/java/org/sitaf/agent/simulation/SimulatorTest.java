@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,6 +28,7 @@ import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.VirtualHardwareGrpc;
 import org.sitaf.sim.v1.WorldSource;
 
+@Tag("slow")
 @Timeout(120)
 class SimulatorTest {
   private static final byte[] MJCF =

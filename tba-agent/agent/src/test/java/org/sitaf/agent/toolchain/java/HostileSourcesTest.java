@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.Sandbox;
@@ -25,6 +26,7 @@ import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.core.harness.TestApplication;
 
 /** Hostile input of the Java compiler is not executed and does not harm the agent. */
+@Tag("slow")
 class HostileSourcesTest {
   @TempDir private Path directory;
   private List<Path> processors = List.of();

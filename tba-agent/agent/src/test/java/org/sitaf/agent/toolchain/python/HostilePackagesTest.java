@@ -148,7 +148,9 @@ class HostilePackagesTest {
     assertThat(index.requests()).isEmpty();
   }
 
+  // tests/e2e/test_libraries.py has the short form.
   @Test
+  @Tag("long")
   void installsAWheelOfTheActivityWithItsRequirements() throws Exception {
     index.add(
         "sitaf-hostile-needed",

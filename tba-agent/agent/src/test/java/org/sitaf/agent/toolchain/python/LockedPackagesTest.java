@@ -76,7 +76,9 @@ class LockedPackagesTest {
     return new ActivityLock(environments.packages(environment), true);
   }
 
+  // tests/e2e/test_lock.py has the short form.
   @Test
+  @Tag("long")
   void aLockKeepsTheReleaseWhenANewerOneAppears() throws Exception {
     byte[] first = addArm("1.0");
     ActivityLock lock = resolved();
