@@ -13,9 +13,10 @@ from sitaf_runtime.simulation.wire.service import client
 from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 from sitaf_runtime.stopwatch import Stopwatch
 
-pytestmark = pytest.mark.skipif(
-    importlib.util.find_spec("sitaf_bridge") is None, reason="sim-bridge is not installed here"
-)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(importlib.util.find_spec("sitaf_bridge") is None, reason="sim-bridge is not installed here"),
+]
 MJCF = """<mujoco><option timestep="0.002" gravity="0 0 0"/><worldbody>
   <body><joint name="a" axis="0 0 1"/><geom size="0.1"/></body>
   <body pos="1 0 0"><joint name="b" axis="0 0 1"/><geom size="0.1"/></body></worldbody>

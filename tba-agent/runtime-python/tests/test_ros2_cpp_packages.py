@@ -18,9 +18,12 @@ from tests.test_ros2_packages import (
     talks,
 )
 
-pytestmark = pytest.mark.skipif(
-    not PACKAGES.is_dir(), reason=f"the public packages are not in {PACKAGES}; set SITAF_ROS2_PACKAGES"
-)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(
+        not PACKAGES.is_dir(), reason=f"the public packages are not in {PACKAGES}; set SITAF_ROS2_PACKAGES"
+    ),
+]
 ADD = "example_interfaces/srv/AddTwoInts"
 EXAMPLE, DEMO = "examples/rclcpp", "demos/demo_nodes_cpp"
 

@@ -11,9 +11,12 @@ from tests.ros_cases import run_case
 STRING, ADD = "std_msgs/msg/String", "example_interfaces/srv/AddTwoInts"
 FIBONACCI = "example_interfaces/action/Fibonacci"
 PACKAGES = Path(os.environ.get("SITAF_ROS2_PACKAGES", Path(__file__).resolve().parents[4] / "shared" / "ros2-packages"))
-pytestmark = pytest.mark.skipif(
-    not PACKAGES.is_dir(), reason=f"the public packages are not in {PACKAGES}; set SITAF_ROS2_PACKAGES"
-)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(
+        not PACKAGES.is_dir(), reason=f"the public packages are not in {PACKAGES}; set SITAF_ROS2_PACKAGES"
+    ),
+]
 
 
 def talks(topic, times, prefix, first=0):

@@ -9,9 +9,10 @@ import pytest
 
 from tests.applications import GOLDENS, PROJECT, run
 
-pytestmark = pytest.mark.skipif(
-    importlib.util.find_spec("sitaf_bridge") is None, reason="sim-bridge is not installed here"
-)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(importlib.util.find_spec("sitaf_bridge") is None, reason="sim-bridge is not installed here"),
+]
 EXAMPLE = PROJECT / "examples/ir-sensor-python"
 GOLDEN = GOLDENS / "ir-sensor-python"
 ENTRY = "sitaf_harness.get_infrared_data.concrete_test_driver"
