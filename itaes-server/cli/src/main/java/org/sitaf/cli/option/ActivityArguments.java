@@ -58,7 +58,7 @@ public final class ActivityArguments {
   /**
    * The models for a command that changes the inputs of single calls.
    *
-   * @param command such as {@code explain}
+   * @param command such as {@code falsify}
    * @throws InvalidInputException as {@link #modelsOf}, and if a model has sequences of calls
    */
   public List<TestModel> modelsOfSingleCalls(Activity activity, String command) {

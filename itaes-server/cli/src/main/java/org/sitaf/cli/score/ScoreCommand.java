@@ -34,7 +34,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Puts faults between test driver and component, and counts those that the test cases notice:"
           + " wrong units, signs, offsets, swapped or ignored parameters, values of the case"
-          + " before, exceptions, calls of required interfaces. Prints what to add to the"
+          + " before, exceptions, calls of required interfaces; in sequences also steps left out,"
+          + " repeated or swapped, and answers of earlier calls. Prints what to add to the"
           + " specification.",
       "Exit code 0: every fault with an effect is noticed; 1: at least one is not; 2: the cases"
           + " could not be executed."
@@ -77,7 +78,7 @@ public final class ScoreCommand implements Callable<Integer> {
     }
     Activity activity = Installation.read(UserFiles.folder(arguments.folder()));
     Sitaf.print(activity.warnings(), err);
-    List<TestModel> models = arguments.modelsOfSingleCalls(activity, "score");
+    List<TestModel> models = arguments.modelsOf(activity);
     SuiteCache suites = new SuiteCache(Installation.current().state().resolve("suites"));
     Map<String, SpecificationScore> scores = new LinkedHashMap<>();
     try (LocalBuilds builds =

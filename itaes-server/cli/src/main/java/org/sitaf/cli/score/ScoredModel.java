@@ -13,9 +13,12 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.Target;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.score.FaultExecutions;
 import org.sitaf.core.score.FaultJudge;
 import org.sitaf.core.score.SpecificationScore;
+import org.sitaf.core.score.sequence.SequenceExecutions;
+import org.sitaf.core.score.sequence.SequenceJudge;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
@@ -34,6 +37,9 @@ final class ScoredModel {
   private static final double MAX_SIMULATED_SECONDS = 60;
 
   private static final int MIN_BUDGET = 50;
+
+  /** Each pair of steps has a fault of its own. */
+  private static final int MIN_BUDGET_OF_SEQUENCES = 500;
 
   private final LocalBuilds builds;
   private final Activity activity;
@@ -56,20 +62,52 @@ final class ScoredModel {
    * @param budget maximum number of further cases; null for the default
    */
   SpecificationScore score(@Nullable Integer budget) throws InterruptedException {
-    TrajectoryConditions conditions = conditions();
+    int further = budget == null ? defaultBudget() : budget;
+    return suite.isOfSequences() ? ofSequences(further) : ofSingleCalls(further);
+  }
+
+  private SpecificationScore ofSingleCalls(int budget) throws InterruptedException {
     FaultExecutions executions =
-        new FaultExecutions(
-            model,
-            suite,
-            activity.world(),
+        new FaultExecutions(model, suite, activity.world(), activity.recorded(), budget);
+    TrajectoryConditions conditions = conditions();
+    Recording recording = record(executions.cases(), executions.further(), conditions);
+    return new FaultJudge(
+            executions,
+            expected(recording.result()),
             activity.recorded(),
-            budget == null ? defaultBudget() : budget);
+            conditions,
+            recording.records(),
+            recording.traces())
+        .score();
+  }
+
+  private SpecificationScore ofSequences(int budget) throws InterruptedException {
+    SequenceExecutions executions =
+        new SequenceExecutions(model, suite, activity.world(), activity.recorded(), budget);
+    TrajectoryConditions conditions = conditions();
+    Recording recording = record(executions.cases(), executions.further(), conditions);
+    return new SequenceJudge(
+            executions,
+            suite,
+            activity.recorded(),
+            conditions,
+            recording.records(),
+            recording.traces())
+        .score();
+  }
+
+  /** What a test application recorded, by case number. */
+  private record Recording(
+      TestResult result, Map<Integer, CaseRecord> records, Map<Integer, Trace> traces) {}
+
+  private Recording record(TestSuite cases, int further, TrajectoryConditions conditions)
+      throws InterruptedException {
     err.println(
         model.name()
             + ": executing "
             + suite.cases().size()
             + " cases and "
-            + executions.further()
+            + further
             + " further ones");
     err.flush();
     Map<Integer, CaseRecord> records = new ConcurrentHashMap<>();
@@ -80,7 +118,7 @@ final class ScoredModel {
             builds.record(
                 activity.withoutTiming(),
                 model.withoutTiming().withoutRelations(),
-                executions.cases(),
+                cases,
                 !conditions.isEmpty(),
                 new LocalBuilds.CaseObserver() {
                   @Override
@@ -99,9 +137,7 @@ final class ScoredModel {
                   }
                 }));
     requireResults(result);
-    return new FaultJudge(
-            executions, expected(result), activity.recorded(), conditions, records, traces)
-        .score();
+    return new Recording(result, records, traces);
   }
 
   private TrajectoryConditions conditions() {
@@ -118,11 +154,30 @@ final class ScoredModel {
   }
 
   private int defaultBudget() {
-    Target target = model.target();
-    double seconds = (target.settle().toNanos() + target.runFor().toNanos()) / 1e9;
-    return seconds <= MAX_SIMULATED_SECONDS / MAX_BUDGET
-        ? MAX_BUDGET
-        : Math.max(MIN_BUDGET, (int) (MAX_SIMULATED_SECONDS / seconds));
+    double seconds = seconds(model.target()) + secondsOfSteps();
+    if (seconds <= MAX_SIMULATED_SECONDS / MAX_BUDGET) {
+      return MAX_BUDGET;
+    }
+    int least = suite.isOfSequences() ? MIN_BUDGET_OF_SEQUENCES : MIN_BUDGET;
+    return Math.max(least, (int) (MAX_SIMULATED_SECONDS / seconds));
+  }
+
+  private static double seconds(Target target) {
+    return (target.settle().toNanos() + target.runFor().toNanos()) / 1e9;
+  }
+
+  /** Simulation time of the steps of a case, on average. */
+  private double secondsOfSteps() {
+    Map<String, Double> ofCalls = new HashMap<>();
+    SequenceSpec sequence = model.sequence();
+    if (sequence != null) {
+      sequence.calls().forEach(c -> ofCalls.put(c.name(), seconds(c.model().target())));
+    }
+    return suite.cases().stream()
+        .mapToDouble(
+            c -> c.steps().stream().mapToDouble(s -> ofCalls.getOrDefault(s.name(), 0.0)).sum())
+        .average()
+        .orElse(0);
   }
 
   private void requireResults(TestResult result) {

@@ -128,7 +128,9 @@ public final class FaultJudge {
         effects.add(
             new Effect(
                 testCase.no(),
+                "case " + testCase.no(),
                 testCase.values(),
+                testCase.expected(),
                 without.get().record(),
                 with.get().record(),
                 passes(testCase.no())));
@@ -144,7 +146,14 @@ public final class FaultJudge {
       Optional<Recorded> with = records.of(fault, row);
       if (without.isPresent() && with.isPresent()) {
         return List.of(
-            new Effect(0, row.values(), without.get().record(), with.get().record(), false));
+            new Effect(
+                0,
+                "",
+                row.values(),
+                List.of(),
+                without.get().record(),
+                with.get().record(),
+                false));
       }
     }
     return List.of();

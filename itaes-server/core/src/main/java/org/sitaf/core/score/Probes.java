@@ -26,7 +26,7 @@ import org.sitaf.core.verdict.Literals;
  * suite misses because it never reaches them: without them such a fault would seem to have no
  * effect.
  */
-final class Probes {
+public final class Probes {
   private static final int MAX_PAIRS = 30;
   private static final int MAX_CONDITIONS = 200;
   private static final int ATTEMPTS = 20;
@@ -39,7 +39,13 @@ final class Probes {
   private final boolean combinesInvalid;
   private final Random random = new Random(1);
 
-  Probes(TestModel model, TestSuite suite, @Nullable WorldDescription world) {
+  /**
+   * The probes of a suite.
+   *
+   * @param suite of single calls
+   * @param world of the activity; null if it has none
+   */
+  public Probes(TestModel model, TestSuite suite, @Nullable WorldDescription world) {
     this.model = model;
     this.validity = new InputValidity(model, suite.generation().seed());
     this.given = new GivenCases(model);
@@ -63,7 +69,7 @@ final class Probes {
   }
 
   /** A simple valid value of each input. */
-  List<String> simplest() {
+  public List<String> simplest() {
     List<String> simplest = new ArrayList<>();
     for (int i = 0; i < centre.size(); i++) {
       int index = i;
@@ -150,7 +156,7 @@ final class Probes {
   }
 
   /** Conditions over one input, over the order of two inputs, and over pairs of valid values. */
-  List<Condition> conditions() {
+  public List<Condition> conditions() {
     List<Condition> conditions = new ArrayList<>();
     for (int i = 0; i < values.size(); i++) {
       for (String value : values.get(i)) {

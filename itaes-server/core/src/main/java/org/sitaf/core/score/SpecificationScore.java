@@ -54,7 +54,8 @@ public record SpecificationScore(
    * @param noticed how many of them are noticed
    */
   public record Count(int changed, int noticed) {
-    Count plus(boolean isNoticed) {
+    /** With one more fault. */
+    public Count plus(boolean isNoticed) {
       return new Count(changed + 1, noticed + (isNoticed ? 1 : 0));
     }
   }

@@ -1,9 +1,6 @@
 package org.sitaf.core.score;
 
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -20,15 +17,15 @@ import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.Literals;
 
 /** What to add to a specification so that it notices a fault. */
-final class Suggestions {
+public final class Suggestions {
   private static final int MAX_SHOWN = 60;
 
   private final TestModel model;
-  private final Map<Integer, TestCase> cases = new HashMap<>();
+  private final List<TestCase> cases;
 
   Suggestions(TestModel model, TestSuite suite) {
     this.model = model;
-    suite.cases().forEach(c -> cases.put(c.no(), c));
+    this.cases = suite.cases();
   }
 
   /**
@@ -43,8 +40,19 @@ final class Suggestions {
     }
     List<Effect> passing = effects.stream().filter(Effect::passes).toList();
     if (passing.isEmpty()) {
-      return "only changes cases that do not pass without the fault, such as case " + first.no();
+      return "only changes cases that do not pass without the fault, such as " + first.label();
     }
+    return of(model, fault.where(), passing);
+  }
+
+  /**
+   * What the specification of a call should add.
+   *
+   * @param model of the call
+   * @param where the output, input or required method of the fault
+   * @param passing effects in cases that pass without the fault; at least one
+   */
+  public static String of(TestModel model, String where, List<Effect> passing) {
     Effect effect = passing.get(0);
     if (effect.with().outcome() == CaseRecord.Outcome.THREW
         || effect.without().outcome() == CaseRecord.Outcome.THREW) {
@@ -57,10 +65,10 @@ final class Suggestions {
       }
     }
     if (!effect.with().calls().equals(effect.without().calls())) {
-      return ofCalls(fault, effect);
+      return ofCalls(where, effect);
     }
-    return "add a trajectory condition that looks at the motion in case "
-        + effect.no()
+    return "add a trajectory condition that looks at the motion in "
+        + effect.label()
         + ", or an output of the kind OBSERVED";
   }
 
@@ -68,8 +76,7 @@ final class Suggestions {
   private String unreached(Effect effect) {
     for (int i = 0; i < model.inputs().size(); i++) {
       int index = i;
-      Set<String> used =
-          cases.values().stream().map(c -> c.values().get(index)).collect(Collectors.toSet());
+      Set<String> used = cases.stream().map(c -> c.values().get(index)).collect(Collectors.toSet());
       if (!used.contains(effect.values().get(i))) {
         return "no case reaches it: add the value "
             + shown(effect.values().get(i))
@@ -89,26 +96,20 @@ final class Suggestions {
         ? "expect "
             + Value.ERROR_PREFIX
             + without.thrown()
-            + " in case "
-            + effect.no()
+            + " in "
+            + effect.label()
             + ", and nothing else"
-        : "case "
-            + effect.no()
+        : effect.label()
             + " passes with any exception: give the expected value instead of "
             + Value.ANY
             + " or no value";
   }
 
-  private String ofOutput(OutputElement output, Effect effect, List<Effect> passing) {
-    Set<Integer> judged = new HashSet<>();
-    for (Effect each : passing) {
-      if (each.changes(output.name()) && isJudged(output, each.no())) {
-        judged.add(each.no());
-      }
-    }
+  private static String ofOutput(OutputElement output, Effect effect, List<Effect> passing) {
+    List<Effect> judged =
+        passing.stream().filter(e -> e.changes(output.name()) && isJudged(output, e)).toList();
     String change =
-        "case "
-            + effect.no()
+        effect.label()
             + " gives "
             + shown(String.valueOf(effect.changed(output.name())))
             + " instead of "
@@ -125,13 +126,11 @@ final class Suggestions {
     }
     Effect widest = effect;
     double difference = -1;
-    for (Effect each : passing) {
-      if (judged.contains(each.no())) {
-        double found = difference(output, each);
-        if (found > difference) {
-          difference = found;
-          widest = each;
-        }
+    for (Effect each : judged) {
+      double found = difference(output, each);
+      if (found > difference) {
+        difference = found;
+        widest = each;
       }
     }
     if (difference >= 0) {
@@ -139,8 +138,8 @@ final class Suggestions {
           + output.name()
           + " ("
           + text(output.tolerance())
-          + ") allows it: case "
-          + widest.no()
+          + ") allows it: "
+          + widest.label()
           + " differs by "
           + difference
           + "; narrow the tolerance if that is too much";
@@ -151,12 +150,8 @@ final class Suggestions {
         + change;
   }
 
-  private boolean isJudged(OutputElement output, int no) {
-    TestCase testCase = cases.get(no);
-    if (testCase == null) {
-      return false;
-    }
-    for (ExpectedValue expected : testCase.expected()) {
+  private static boolean isJudged(OutputElement output, Effect effect) {
+    for (ExpectedValue expected : effect.expected()) {
       if (expected.output().isEmpty() || expected.output().equals(output.name())) {
         return !expected.literal().strip().equals(Value.ANY);
       }
@@ -182,8 +177,7 @@ final class Suggestions {
         + (tolerance.ulp() == 0 ? "" : ", ulp " + tolerance.ulp());
   }
 
-  private static String ofCalls(Fault fault, Effect effect) {
-    String where = fault.where();
+  private static String ofCalls(String where, Effect effect) {
     List<String> methods =
         effect.without().calls().recorded().stream().map(c -> c.method()).distinct().toList();
     String method =
@@ -198,7 +192,7 @@ final class Suggestions {
         where.startsWith(method + ".")
             ? "about " + calls + "[0]." + where.substring(method.length() + 1)
             : calls + ".size() == " + count;
-    return "add a post-condition such as " + condition + " (case " + effect.no() + ")";
+    return "add a post-condition such as " + condition + " (" + effect.label() + ")";
   }
 
   private static String shown(String literal) {

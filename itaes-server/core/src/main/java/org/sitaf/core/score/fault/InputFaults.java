@@ -20,11 +20,13 @@ public final class InputFaults {
 
   private final TestModel model;
   private final @Nullable WorldDescription world;
+  private final String unit;
   private final List<Fault> faults = new ArrayList<>();
 
-  private InputFaults(TestModel model, @Nullable WorldDescription world) {
+  private InputFaults(TestModel model, @Nullable WorldDescription world, String unit) {
     this.model = model;
     this.world = world;
+    this.unit = unit;
   }
 
   /**
@@ -34,7 +36,17 @@ public final class InputFaults {
    */
   public static List<Fault> of(
       TestModel model, @Nullable WorldDescription world, List<String> simplest) {
-    InputFaults all = new InputFaults(model, world);
+    return of(model, world, simplest, "case");
+  }
+
+  /**
+   * All faults of the inputs of a model.
+   *
+   * @param unit what the values belong to: {@code case} or {@code call}
+   */
+  public static List<Fault> of(
+      TestModel model, @Nullable WorldDescription world, List<String> simplest, String unit) {
+    InputFaults all = new InputFaults(model, world, unit);
     for (int i = 0; i < model.inputs().size(); i++) {
       all.ofInput(i, simplest.get(i));
     }
@@ -50,7 +62,7 @@ public final class InputFaults {
     faults.add(
         new Fault.OfInputs(
             input.name(),
-            input.name() + ": value of the case before",
+            input.name() + ": value of the " + unit + " before",
             (values, before) ->
                 before == null ? Optional.empty() : replaced(values, index, before.get(index))));
     if (input.kind() == InputKind.TDTS) {

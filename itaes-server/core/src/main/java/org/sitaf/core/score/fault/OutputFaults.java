@@ -20,10 +20,12 @@ public final class OutputFaults {
   static final String EXCEPTION = "exception";
 
   private final TestModel model;
+  private final String unit;
   private final List<Fault> faults = new ArrayList<>();
 
-  private OutputFaults(TestModel model) {
+  private OutputFaults(TestModel model, String unit) {
     this.model = model;
+    this.unit = unit;
   }
 
   /**
@@ -32,7 +34,16 @@ public final class OutputFaults {
    * @param conditions under which a clearly wrong value is tried, too
    */
   public static List<Fault> of(TestModel model, List<Condition> conditions) {
-    OutputFaults all = new OutputFaults(model);
+    return of(model, conditions, "case");
+  }
+
+  /**
+   * All faults of the outputs of a model.
+   *
+   * @param unit what a record belongs to: {@code case} or {@code call}
+   */
+  public static List<Fault> of(TestModel model, List<Condition> conditions, String unit) {
+    OutputFaults all = new OutputFaults(model, unit);
     for (OutputElement output : model.outputs()) {
       if (!output.type().isVoid()) {
         all.ofOutput(output);
@@ -40,6 +51,13 @@ public final class OutputFaults {
     }
     all.ofExceptions();
     conditions.forEach(all::under);
+    return all.faults;
+  }
+
+  /** Clearly wrong values and exceptions under a condition. */
+  public static List<Fault> under(TestModel model, Condition condition) {
+    OutputFaults all = new OutputFaults(model, "");
+    all.under(condition);
     return all.faults;
   }
 
@@ -60,7 +78,7 @@ public final class OutputFaults {
     }
     add(
         output,
-        "value of the case before",
+        "value of the " + unit + " before",
         (row, record, before) ->
             before == null || !has(before, output.name())
                 ? record
@@ -81,7 +99,7 @@ public final class OutputFaults {
     faults.add(
         new Fault.OfRecord(
             EXCEPTION,
-            EXCEPTION + ": swallowed, the outputs keep the values of the case before",
+            EXCEPTION + ": swallowed, the outputs keep the values of the " + unit + " before",
             (row, record, before) ->
                 before == null || before.outcome() != Outcome.RETURNED
                     ? record

@@ -9,7 +9,7 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.verdict.Literals;
 
 /** The faults of values of a type. */
-final class ValueChanges {
+public final class ValueChanges {
   static final DataType DOUBLE = new DataType.Scalar(ScalarType.DOUBLE);
 
   private ValueChanges() {}
@@ -70,7 +70,7 @@ final class ValueChanges {
   }
 
   /** The value that a variable of the type has before it is set. */
-  static String zero(DataType type) {
+  public static String zero(DataType type) {
     if (type instanceof DataType.Enumeration enumeration && !enumeration.literals().isEmpty()) {
       return enumeration.literals().get(0);
     }
