@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.compare.ComparedCase;
 import org.sitaf.core.compare.Comparison;
 import org.sitaf.core.compare.Difference;
@@ -29,8 +30,10 @@ final class ComparisonJunit {
    * @param results of the new version
    */
   static List<TestResult> of(List<TestResult> results, Comparison comparison) {
+    // If nothing was compared, a report without an error would look like success.
+    Verdict notCompared = comparison.cases().isEmpty() ? Verdict.ERROR : Verdict.DONT;
     List<TestResult> reported = new ArrayList<>();
-    results.forEach(r -> reported.add(of(r, comparison)));
+    results.forEach(r -> reported.add(of(r, comparison, notCompared)));
     Set<String> executed = results.stream().map(TestResult::name).collect(Collectors.toSet());
     Map<String, List<NotComparable>> others = new LinkedHashMap<>();
     for (NotComparable reason : comparison.notComparable()) {
@@ -38,9 +41,7 @@ final class ComparisonJunit {
         others.computeIfAbsent(reason.model(), m -> new ArrayList<>()).add(reason);
       }
     }
-    // If nothing was compared, a report without an error would look like success.
-    Verdict verdict = comparison.cases().isEmpty() ? Verdict.ERROR : Verdict.DONT;
-    others.forEach((model, reasons) -> reported.add(notCompared(model, verdict, reasons)));
+    others.forEach((model, reasons) -> reported.add(notCompared(model, notCompared, reasons)));
     return reported;
   }
 
@@ -58,7 +59,7 @@ final class ComparisonJunit {
         null);
   }
 
-  private static TestResult of(TestResult result, Comparison comparison) {
+  private static TestResult of(TestResult result, Comparison comparison, Verdict notCompared) {
     String model = result.name();
     Map<Integer, List<Difference>> differences =
         comparison.differences().stream()
@@ -81,8 +82,9 @@ final class ComparisonJunit {
           judged(
               judged,
               differences.getOrDefault(judged.no(), List.of()),
-              compared.contains(judged.no()),
-              reasons.getOrDefault(judged.no(), "the case could not be compared")));
+              compared.contains(judged.no()) ? null : notCompared,
+              reasons.getOrDefault(
+                  judged.no(), reasons.getOrDefault(0, "the case could not be compared"))));
     }
     // What only the whole model shows, such as lost coverage, has no number of a case.
     List<Difference> ofModel = differences.getOrDefault(0, List.of());
@@ -110,10 +112,18 @@ final class ComparisonJunit {
         message);
   }
 
+  /**
+   * The result of a case.
+   *
+   * @param notCompared verdict of a case that could not be compared; null if it was compared
+   */
   private static CaseResult judged(
-      CaseResult result, List<Difference> differences, boolean isCompared, String reason) {
+      CaseResult result,
+      List<Difference> differences,
+      @Nullable Verdict notCompared,
+      String reason) {
     Verdict verdict =
-        !isCompared ? Verdict.DONT : differences.isEmpty() ? Verdict.PASS : Verdict.FAIL;
+        notCompared != null ? notCompared : differences.isEmpty() ? Verdict.PASS : Verdict.FAIL;
     return new CaseResult(
         result.no(),
         verdict,
@@ -121,7 +131,7 @@ final class ComparisonJunit {
         differences.stream().map(d -> new NamedValue(d.output(), d.base())).toList(),
         differences.stream().map(d -> new NamedValue(d.output(), d.now())).toList(),
         result.time(),
-        isCompared ? texts(differences) : reason);
+        notCompared == null ? texts(differences) : reason);
   }
 
   private static String texts(List<Difference> differences) {

@@ -90,7 +90,29 @@ class ComparisonJunitTest {
   void aCaseSaysWhyItWasNotCompared() {
     NotComparable reason = new NotComparable("Drive", 1, "", "not executed with BASE");
 
-    assertThat(report(List.of(result()), comparison(List.of(), List.of(), List.of(reason))))
+    assertThat(
+            report(
+                List.of(result()),
+                comparison(
+                    List.of(new ComparedCase("Turn", 1, Map.of())), List.of(), List.of(reason))))
         .contains("<skipped message=\"not executed with BASE\">");
+  }
+
+  @Test
+  void casesAreErrorsIfNothingWasCompared() {
+    NotComparable reason = new NotComparable("Drive", 1, "", "not executed with BASE");
+
+    assertThat(report(List.of(result()), comparison(List.of(), List.of(), List.of(reason))))
+        .contains("tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\"")
+        .contains("not executed with BASE");
+  }
+
+  @Test
+  void theReasonOfAModelIsThatOfItsCases() {
+    NotComparable reason = new NotComparable("Drive", 0, "", "BASE has no method Drive");
+
+    assertThat(report(List.of(result()), comparison(List.of(), List.of(), List.of(reason))))
+        .contains("errors=\"1\"")
+        .contains("BASE has no method Drive");
   }
 }
