@@ -26,3 +26,21 @@ def test_nothing_is_explained_if_no_case_failed(sitaf, tmp_path):
     run = sitaf("explain", "examples/heading", "--json", tmp_path / "causes.json")
     assert run.returncode == 0, run.stdout + run.stderr
     assert json.loads((tmp_path / "causes.json").read_text()) == {"causes": [], "executions": 0, "unexplained": []}
+
+
+def test_selected_cases_that_pass_are_named(sitaf):
+    run = sitaf("explain", "examples/heading", "--cases", "1,2")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "cases 1, 2 pass; there is nothing to explain" in run.stdout
+    assert "no case failed" not in run.stdout
+
+
+def test_a_folder_is_no_bundle(sitaf, tmp_path):
+    run = sitaf("replay", tmp_path)
+    assert run.returncode == 2
+    assert f"{tmp_path}: error: is a folder; name a zip that ./sitaf explain --bundles has written" in run.stderr
+
+    (tmp_path / "case-1.zip").write_bytes(b"")
+    run = sitaf("replay", tmp_path)
+    assert run.returncode == 2
+    assert f"is a folder; name one of its bundles, such as {tmp_path}/case-1.zip" in run.stderr

@@ -132,9 +132,9 @@ public final class ExplainCommand implements Callable<Integer> {
         GeneratedSuite generated =
             suites.generate(model, GenerationOptions.DEFAULT.withSeed(seed.value()));
         Sitaf.print(generated.notes(), err);
-        Explanation explanation = explain(activity, model, generated.suite(), builds, err);
+        Explanation explanation = explain(activity, model, generated.suite(), builds, out, err);
         explanations.put(model.name(), explanation);
-        ExplanationText.print(model.name(), explanation, out);
+        ExplanationText.print(model.name(), explanation, cases == null, out);
         if (bundles != null) {
           new Bundles(builds, activity, files, model, generated.suite())
               .write(explanation, bundles, out);
@@ -150,7 +150,12 @@ public final class ExplainCommand implements Callable<Integer> {
   }
 
   private Explanation explain(
-      Activity activity, TestModel model, TestSuite suite, LocalBuilds builds, PrintWriter err)
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      LocalBuilds builds,
+      PrintWriter out,
+      PrintWriter err)
       throws InterruptedException {
     Set<Integer> chosen = null;
     if (cases != null) {
@@ -171,6 +176,13 @@ public final class ExplainCommand implements Callable<Integer> {
     }
     if (result.summary().pass() + result.summary().fail() + result.summary().error() == 0) {
       throw InvalidInputException.of(model.name(), "no case was executed");
+    }
+    if (chosen != null) {
+      Set<Integer> selected = chosen;
+      ExplanationText.printNotFailed(
+          model.name(),
+          result.cases().stream().filter(c -> selected.contains(c.no())).toList(),
+          out);
     }
     if (suite.isOfSequences()) {
       return new SequenceExplainer(

@@ -13,6 +13,8 @@ import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.explain.Explanation;
 import org.sitaf.core.explain.Explanation.Boundary;
 import org.sitaf.core.explain.Explanation.Cause;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Verdict;
 
 /** One plain sentence for each cause. */
 final class ExplanationText {
@@ -20,9 +22,13 @@ final class ExplanationText {
 
   private ExplanationText() {}
 
-  /** Prints the causes of a model. Causes with the same boundary are one sentence. */
-  static void print(String model, Explanation explanation, PrintWriter out) {
-    if (explanation.causes().isEmpty() && explanation.unexplained().isEmpty()) {
+  /**
+   * Prints the causes of a model. Causes with the same boundary are one sentence.
+   *
+   * @param all whether all cases were to be explained, not only selected ones
+   */
+  static void print(String model, Explanation explanation, boolean all, PrintWriter out) {
+    if (all && explanation.causes().isEmpty() && explanation.unexplained().isEmpty()) {
       out.println(model + ": no case failed");
     }
     for (List<Cause> causes : merged(explanation.causes())) {
@@ -61,6 +67,37 @@ final class ExplanationText {
       out.println(model + ": " + explanation.executions() + " further cases were executed");
     }
     out.flush();
+  }
+
+  /**
+   * Prints the selected cases that need no explanation.
+   *
+   * @param selected results of the selected cases
+   */
+  static void printNotFailed(String model, List<CaseResult> selected, PrintWriter out) {
+    List<Integer> passed = numbers(selected, Verdict.PASS);
+    List<Integer> notExecuted = numbers(selected, Verdict.DONT);
+    if (!passed.isEmpty()) {
+      out.println(
+          model
+              + ": "
+              + (passed.size() == 1
+                  ? "case " + passed.get(0) + " passes"
+                  : "cases " + numbers(passed) + " pass")
+              + "; there is nothing to explain");
+    }
+    if (!notExecuted.isEmpty()) {
+      out.println(model + ": not executed: " + numbers(notExecuted));
+    }
+    out.flush();
+  }
+
+  private static List<Integer> numbers(List<CaseResult> results, Verdict verdict) {
+    return results.stream()
+        .filter(r -> r.verdict() == verdict)
+        .map(CaseResult::no)
+        .sorted()
+        .toList();
   }
 
   private static List<List<Cause>> merged(List<Cause> causes) {

@@ -4,11 +4,13 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.UserFiles;
@@ -45,6 +47,7 @@ import tools.jackson.databind.json.JsonMapper;
     mixinStandardHelpOptions = true)
 public final class ReplayCommand implements Callable<Integer> {
   private static final int DIFFERS = 1;
+  private static final int MAX_SHOWN = 3;
   private static final List<String> CONDITIONS =
       List.of("component", "harness", "simulator", "compiler", "packages", "machine");
 
@@ -59,6 +62,9 @@ public final class ReplayCommand implements Callable<Integer> {
   public Integer call() throws IOException, InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
+    if (Files.isDirectory(file)) {
+      throw InvalidInputException.of(file.toString(), "is a folder; " + bundlesOf(file));
+    }
     FileTree bundle;
     try (InputStream zip = new ByteArrayInputStream(UserFiles.file(file))) {
       bundle = ActivityArchive.read(zip, file.toString());
@@ -148,6 +154,22 @@ public final class ReplayCommand implements Callable<Integer> {
     } catch (JacksonException e) {
       throw InvalidInputException.of(
           file.toString(), Bundles.RECORD + " is not JSON: " + e.getOriginalMessage());
+    }
+  }
+
+  /** What to name instead of a folder. */
+  private static String bundlesOf(Path folder) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      List<String> bundles =
+          files
+              .map(Path::toString)
+              .filter(name -> name.endsWith(".zip"))
+              .sorted()
+              .limit(MAX_SHOWN)
+              .toList();
+      return bundles.isEmpty()
+          ? "name a zip that ./sitaf explain --bundles has written"
+          : "name one of its bundles, such as " + String.join(", ", bundles);
     }
   }
 

@@ -57,6 +57,9 @@ public final class UserFiles {
    * @throws InvalidInputException if it cannot be read
    */
   public static byte[] file(Path file) {
+    if (Files.isDirectory(file)) {
+      throw InvalidInputException.of(file.toString(), "is a folder; name a file");
+    }
     try {
       return Files.readAllBytes(file);
     } catch (IOException e) {
