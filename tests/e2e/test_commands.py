@@ -46,6 +46,22 @@ def test_an_invalid_model_exits_with_2_and_lists_all_errors(sitaf, tmp_path):
     assert f"{model}:3: error: test_element A/test_spec/offset: must be greater than 0, not -1" in generated.stderr
 
 
+def test_the_folder_of_an_activity_with_one_model_stands_for_its_model(sitaf):
+    generated = sitaf("generate", "examples/ir-sensor")
+    assert generated.returncode == 0, generated.stderr
+    assert generated.stdout == sitaf("generate", MODEL).stdout
+
+
+def test_a_folder_with_several_models_or_none_is_refused(sitaf, tmp_path):
+    several = sitaf("generate", "examples/wrist-kinematics")
+    assert several.returncode == 2
+    assert "has several test models; name one of examples/wrist-kinematics/Reach.xml, " in several.stderr
+
+    none = sitaf("generate", tmp_path)
+    assert none.returncode == 2
+    assert f"{tmp_path}: error: is a folder without activity.yaml; name a test model" in none.stderr
+
+
 def test_a_document_type_is_refused(sitaf, tmp_path):
     model = tmp_path / "hostile.xml"
     model.write_text("<!DOCTYPE test_model SYSTEM 'file:///etc/passwd'><test_model/>")

@@ -6,8 +6,11 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.UserFiles;
 import org.sitaf.cli.option.GenerationArguments;
 import org.sitaf.cli.option.SuiteFormat;
@@ -34,9 +37,13 @@ import picocli.CommandLine.Spec;
     description = "Generates the test cases of a test model. Exit code 2: the model is invalid.",
     mixinStandardHelpOptions = true)
 final class GenerateCommand implements Callable<Integer> {
+  private static final String PROFILE = "activity.yaml";
+
   @Spec private @Nullable CommandSpec spec;
 
-  @Parameters(paramLabel = "MODEL.xml", description = "The test model.")
+  @Parameters(
+      paramLabel = "MODEL.xml",
+      description = "The test model, or the folder of an activity that has one model.")
   private Path model = Path.of("");
 
   @Option(
@@ -70,8 +77,7 @@ final class GenerateCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    TestModel parsed =
-        TestModelXml.read(new ByteArrayInputStream(UserFiles.file(model)), model.toString());
+    TestModel parsed = read();
     GeneratedSuite generated;
     try (ProgressLine progress = new ProgressLine(System.err)) {
       generated =
@@ -104,6 +110,29 @@ final class GenerateCommand implements Callable<Integer> {
               total + " cases (" + valid + " valid, " + (total - valid) + " invalid) in " + output);
     }
     return 0;
+  }
+
+  private TestModel read() {
+    if (!Files.isDirectory(model)) {
+      return TestModelXml.read(new ByteArrayInputStream(UserFiles.file(model)), model.toString());
+    }
+    if (!Files.exists(model.resolve(PROFILE))) {
+      throw InvalidInputException.of(
+          model.toString(),
+          "is a folder without " + PROFILE + "; name a test model, or the folder of an activity");
+    }
+    List<TestModel> models = Installation.read(UserFiles.folder(model)).models();
+    if (models.size() != 1) {
+      throw InvalidInputException.of(
+          model.toString(),
+          models.isEmpty()
+              ? "names no test model in " + PROFILE
+              : "has several test models; name one of "
+                  + models.stream()
+                      .map(m -> model.resolve(m.source()).toString())
+                      .collect(Collectors.joining(", ")));
+    }
+    return models.get(0);
   }
 
   private @Nullable TestSuite earlierSuite() {
