@@ -108,7 +108,13 @@ public record Activity(
     List<Diagnostic> found = new ArrayList<>(TestCaseGenerator.verifyConditions(model));
     found.addAll(
         ModelAgainstActivity.verify(
-            model, provided, required, world, outputPorts, profile, messageSignals()));
+            model,
+            provided,
+            required,
+            world,
+            outputPorts,
+            profile,
+            ros == null ? null : ros.messages()));
     return found;
   }
 
@@ -184,11 +190,17 @@ public record Activity(
     return all;
   }
 
-  /** The signals that are lists of numbers, with their lengths. */
-  public Map<String, Integer> signalLists() {
+  /**
+   * The signals that are lists of numbers, with their lengths, for the trajectory conditions of a
+   * model.
+   */
+  public Map<String, Integer> signalLists(TestModel model) {
     Map<String, Integer> lists = new TreeMap<>(PortSignals.lists(outputPorts));
     if (world != null) {
       lists.putAll(WorldSignals.lists(world));
+    }
+    if (ros != null && model.sequence() == null) {
+      lists.putAll(MessageSignals.lists(ros.messages()));
     }
     return lists;
   }

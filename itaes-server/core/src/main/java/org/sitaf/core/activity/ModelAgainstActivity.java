@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.activity.ros.RosElements;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.description.DataType;
@@ -50,7 +51,7 @@ final class ModelAgainstActivity {
   private final List<Port.Data> outputPorts;
   private final ActivityProfile profile;
   private final @Nullable RosNode ros;
-  private final List<String> messageSignals;
+  private final @Nullable InterfaceDescription messages;
   private final Diagnostics diagnostics = new Diagnostics();
   private final WorldInputs worldInputs;
 
@@ -60,9 +61,9 @@ final class ModelAgainstActivity {
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
       ActivityProfile profile,
-      List<String> messageSignals) {
+      @Nullable InterfaceDescription messages) {
     this.profile = profile;
-    this.messageSignals = messageSignals;
+    this.messages = messages;
     this.ros = profile.ros();
     this.model = model;
     this.required = required;
@@ -74,7 +75,7 @@ final class ModelAgainstActivity {
   /**
    * Verifies a model.
    *
-   * @param messageSignals numbers in the messages of a node, for trajectory conditions
+   * @param messages of a node, for trajectory conditions; null if the component is none
    */
   static List<Diagnostic> verify(
       TestModel model,
@@ -83,17 +84,16 @@ final class ModelAgainstActivity {
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
       ActivityProfile profile,
-      List<String> messageSignals) {
+      @Nullable InterfaceDescription messages) {
     var verification =
-        new ModelAgainstActivity(model, required, world, outputPorts, profile, messageSignals);
+        new ModelAgainstActivity(model, required, world, outputPorts, profile, messages);
     verification.timing();
     if (model.sequence() != null) {
       verification.initialInputs();
       verification.trajectories();
       verification.diagnostics.addAll(
           new SequenceAgainstActivity(model, model.sequence(), world)
-              .verify(
-                  c -> verify(c, provided, required, world, outputPorts, profile, messageSignals)));
+              .verify(c -> verify(c, provided, required, world, outputPorts, profile, messages)));
       return verification.diagnostics.all();
     }
     try {
@@ -316,12 +316,12 @@ final class ModelAgainstActivity {
           "trajectory_condition_spec_list",
           "needs a simulation, but activity.yaml has no world");
     } else if (world != null) {
+      InterfaceDescription sent = sent();
       TrajectoryConditions.compile(
           model,
           Stream.of(
                   WorldSignals.of(world),
-                  // The messages of a sequence count from the call of each step.
-                  model.sequence() == null ? messageSignals : List.<String>of(),
+                  sent == null ? List.<String>of() : MessageSignals.of(sent),
                   PortSignals.of(outputPorts),
                   model.sequence() == null ? List.<String>of() : List.of(SequenceSpec.STEP))
               .flatMap(List::stream)
@@ -332,10 +332,19 @@ final class ModelAgainstActivity {
     }
   }
 
+  /** The messages that are signals; those of a sequence count from the call of each step. */
+  private @Nullable InterfaceDescription sent() {
+    return model.sequence() == null ? messages : null;
+  }
+
   private Map<String, Integer> lists() {
     Map<String, Integer> lists = new TreeMap<>(PortSignals.lists(outputPorts));
     if (world != null) {
       lists.putAll(WorldSignals.lists(world));
+    }
+    InterfaceDescription sent = sent();
+    if (sent != null) {
+      lists.putAll(MessageSignals.lists(sent));
     }
     return lists;
   }

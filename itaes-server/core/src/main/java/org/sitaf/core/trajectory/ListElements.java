@@ -2,6 +2,7 @@ package org.sitaf.core.trajectory;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +19,9 @@ import org.sitaf.core.expression.Expression;
  * @param isWhole whether the atom uses the list other than by constant indices
  */
 record ListElements(String list, int size, List<Integer> used, boolean isWhole) {
+  /** Largest index of a list of unknown size, and one. */
+  private static final int MAX_ELEMENTS = 10_000;
+
   ListElements {
     used = List.copyOf(used);
   }
@@ -25,10 +29,15 @@ record ListElements(String list, int size, List<Integer> used, boolean isWhole) 
   /**
    * The elements that an expression uses.
    *
-   * @throws IllegalArgumentException if an index is not one of the list
+   * @param size {@link TrajectoryConditions#ANY_LENGTH} if it is not known before the run
+   * @throws IllegalArgumentException if an index is not one of the list, or if a list of unknown
+   *     size is used as a whole
    */
   static ListElements of(Expression expression, String list, int size) {
     Optional<Set<Long>> indices = expression.indices(list);
+    if (size == TrajectoryConditions.ANY_LENGTH) {
+      return ofAnyLength(indices.orElse(Set.of()), list);
+    }
     if (indices.isEmpty()) {
       return new ListElements(list, size, IntStream.range(0, size).boxed().toList(), true);
     }
@@ -42,6 +51,21 @@ record ListElements(String list, int size, List<Integer> used, boolean isWhole) 
       used.add((int) index);
     }
     return new ListElements(list, size, used, false);
+  }
+
+  private static ListElements ofAnyLength(Set<Long> indices, String list) {
+    if (indices.isEmpty()) {
+      throw new IllegalArgumentException(
+          "each message gives the length of '%s'; use single elements such as %s"
+              .formatted(list, element(list, 0)));
+    }
+    long last = Collections.max(indices);
+    if (Collections.min(indices) < 0 || last >= MAX_ELEMENTS) {
+      throw new IllegalArgumentException(
+          "an index of '%s' must be from 0 to %d".formatted(list, MAX_ELEMENTS - 1));
+    }
+    List<Integer> used = indices.stream().map(Long::intValue).sorted().toList();
+    return new ListElements(list, (int) last + 1, used, false);
   }
 
   /** The name of an element. */

@@ -25,6 +25,9 @@ import org.sitaf.core.model.TrajectoryCondition;
 
 /** The trajectory conditions of a model. */
 public final class TrajectoryConditions {
+  /** The size of a list whose length is not known before the run. */
+  public static final int ANY_LENGTH = Integer.MAX_VALUE;
+
   /** No conditions. */
   public static final TrajectoryConditions NONE = new TrajectoryConditions(List.of());
 
@@ -75,7 +78,7 @@ public final class TrajectoryConditions {
    * @param signals names of all signals that are numbers; a name that is two signals is listed
    *     twice
    * @param lists sizes of all signals that are lists of numbers, by name; the elements of {@code
-   *     list} are the signals {@code list[0]} and so on
+   *     list} are the signals {@code list[0]} and so on; {@link #ANY_LENGTH} if it is not known
    * @param longestSeconds limit of the simulation time of a case
    */
   public static TrajectoryConditions compile(

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.trajectory.Trace;
@@ -13,11 +15,14 @@ import org.sitaf.core.verdict.TraceSource.MissingTraceException;
 
 /**
  * Adds the messages of a ROS 2 node to the signals of a case: each number of an output holds its
- * value until the next message, and is 0 before the first.
+ * value until the next message, and is 0 before the first. An element that the last message does
+ * not have is NaN.
  */
 public final class MessageTraces {
   /** Times of messages have rounding errors. */
   private static final double EPSILON_S = 1e-9;
+
+  private static final Pattern ELEMENT = Pattern.compile("(.+)\\[(\\d{1,6})]");
 
   private final CallRecord calls;
   private final Set<String> names;
@@ -32,6 +37,13 @@ public final class MessageTraces {
     this.calls = new CallRecord(List.of(messages));
     this.names = new TreeSet<>(MessageSignals.of(messages));
     this.names.retainAll(wanted);
+    Set<String> lists = MessageSignals.lists(messages).keySet();
+    for (String name : wanted) {
+      Matcher element = ELEMENT.matcher(name);
+      if (element.matches() && lists.contains(element.group(1))) {
+        names.add(name);
+      }
+    }
   }
 
   /** The signals that are added. */
@@ -69,14 +81,18 @@ public final class MessageTraces {
   private static double[] column(String name, Map<String, Object> messages, Trace trace) {
     int dot = name.indexOf('.');
     List<?> made = messages.get(name.substring(0, dot)) instanceof List<?> list ? list : List.of();
-    String[] path = name.substring(dot + 1).split("\\.", -1);
+    Matcher element = ELEMENT.matcher(name);
+    boolean isElement = element.matches();
+    String member = isElement ? element.group(1) : name;
+    int index = isElement ? Integer.parseInt(element.group(2)) : -1;
+    String[] path = member.substring(dot + 1).split("\\.", -1);
     boolean isCount = name.endsWith(MessageSignals.COUNT) && path.length == 1;
     double[] column = new double[trace.count()];
     double value = 0;
     int next = 0;
     for (int k = 0; k < column.length; k++) {
       while (next < made.size() && time(made.get(next)) <= trace.seconds(k) + EPSILON_S) {
-        value = isCount ? next + 1 : number(made.get(next), path);
+        value = isCount ? next + 1 : number(made.get(next), path, index);
         next++;
       }
       column[k] = value;
@@ -85,14 +101,21 @@ public final class MessageTraces {
   }
 
   private static double time(Object message) {
-    return number(message, new String[] {"t"});
+    return number(message, new String[] {"t"}, -1);
   }
 
-  /** A number in a message; NaN if it has none there. */
-  private static double number(Object message, String[] path) {
+  /**
+   * A number in a message; NaN if it has none there.
+   *
+   * @param index of an element of the array at the path; -1 if it is no array
+   */
+  private static double number(Object message, String[] path, int index) {
     Object found = message;
     for (String member : path) {
       found = found instanceof Map<?, ?> map ? map.get(member) : null;
+    }
+    if (index >= 0) {
+      found = found instanceof List<?> list && index < list.size() ? list.get(index) : null;
     }
     if (found instanceof Boolean truth) {
       return truth ? 1 : 0;

@@ -45,6 +45,32 @@ class ListSignalsTest {
   }
 
   @Test
+  void aListWhoseLengthIsNotKnownHasSingleElementsOnly() {
+    Map<String, Integer> lists = Map.of("joints.position", TrajectoryConditions.ANY_LENGTH);
+
+    assertThat(
+            compiled("always(joints.position[7] < joints.position[1])", lists, new Diagnostics())
+                .signals())
+        .containsExactly("joints.position[1]", "joints.position[7]");
+    for (String formula :
+        List.of(
+            "always(max(joints.position) < 1.0)",
+            "always(joints.position[int(goal)] < 1.0)",
+            "always(joints.position[10000] < 1.0)")) {
+      Diagnostics diagnostics = new Diagnostics();
+      var unused = compiled(formula, lists, diagnostics);
+      assertThat(diagnostics.all())
+          .as(formula)
+          .singleElement()
+          .asString()
+          .containsAnyOf(
+              "each message gives the length of 'joints.position'; use single elements such as"
+                  + " joints.position[0]",
+              "an index of 'joints.position' must be from 0 to 9999");
+    }
+  }
+
+  @Test
   void anElementIsASignal() throws EvaluationException {
     Trace trace =
         new Trace(
@@ -127,10 +153,14 @@ class ListSignalsTest {
 
   private static TrajectoryConditions compiled(String formula) {
     Diagnostics diagnostics = new Diagnostics();
-    TrajectoryConditions conditions =
-        TrajectoryConditions.compile(model(formula), List.of("robot_x"), LISTS, 60, diagnostics);
+    TrajectoryConditions conditions = compiled(formula, LISTS, diagnostics);
     assertThat(diagnostics.all()).isEmpty();
     return conditions;
+  }
+
+  private static TrajectoryConditions compiled(
+      String formula, Map<String, Integer> lists, Diagnostics diagnostics) {
+    return TrajectoryConditions.compile(model(formula), List.of("robot_x"), lists, 60, diagnostics);
   }
 
   private static List<String> problems(String formula) {

@@ -15,6 +15,7 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.verdict.TraceSource.MissingTraceException;
 
 class MessageTracesTest {
@@ -57,9 +58,27 @@ class MessageTracesTest {
   }
 
   @Test
-  void signalsAreNumbersWithoutElementsOfArrays() {
+  void signalsAreNumbersAndElementsOfArrays() {
     assertThat(MessageSignals.of(MESSAGES))
         .containsExactly("command.linear.x", "command.on", "command.count");
+    assertThat(MessageSignals.lists(MESSAGES))
+        .containsExactly(Map.entry("command.ranges", TrajectoryConditions.ANY_LENGTH));
+  }
+
+  @Test
+  void anElementThatTheLastMessageDoesNotHaveIsNotANumber() throws Exception {
+    StubCalls calls =
+        new StubCalls(List.of(message("0.5", "true", "0.01"), message("1.0", "true", "0.03")), 0);
+
+    MessageTraces traces =
+        new MessageTraces(
+            MESSAGES, List.of("command.ranges[0]", "command.ranges[1]", "command.other[0]"));
+    assertThat(traces.names()).containsExactlyInAnyOrder("command.ranges[0]", "command.ranges[1]");
+    Trace extended = traces.extended(TRACE, calls);
+
+    assertThat(extended.columns().get(1)).containsExactly(0, 0, 1, 1, 1, 1);
+    assertThat(extended.columns().get(2))
+        .containsExactly(0, 0, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
   }
 
   @Test

@@ -61,7 +61,7 @@ final class CaseSignals {
         TrajectoryConditions.compile(
             application.model(),
             application.activity().signals(application.model()),
-            application.activity().signalLists(),
+            application.activity().signalLists(application.model()),
             limits.caseSimulation().toNanos() / 1e9,
             diagnostics);
     diagnostics.throwIfErrors();
@@ -90,6 +90,9 @@ final class CaseSignals {
             : new MessageTraces(application.activity().recordedMessages(), wanted);
     // The simulator knows nothing of messages, ports and steps.
     wanted.removeAll(sent);
+    if (messages != null) {
+      wanted.removeAll(messages.names());
+    }
     wanted.removeAll(this.ports.names());
     if (!sampled.contains(SequenceSpec.STEP)) {
       wanted.remove(SequenceSpec.STEP);

@@ -26,7 +26,7 @@ final class WatchedPorts {
         TrajectoryConditions.compile(
             model,
             activity.signals(model),
-            activity.signalLists(),
+            activity.signalLists(model),
             activity.profile().limits().caseSimulation().toNanos() / 1e9,
             // The activity was verified before.
             new Diagnostics());
