@@ -61,7 +61,7 @@ public final class JointController {
 
   /** A link that points upwards needs less damping. */
   private double damping() {
-    double entry = (target - 0.55) / 0.15;
-    return kd * (1 - 0.2 * Math.max(0, target) - 1.2 * Math.exp(-entry * entry));
+    double entry = (target - 0.55) / 0.3;
+    return kd * (1 - 0.2 * Math.max(0, target) - 0.8 * Math.exp(-entry * entry));
   }
 }

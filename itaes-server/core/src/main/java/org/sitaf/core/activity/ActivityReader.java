@@ -10,7 +10,6 @@ import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.lock.ActivityLock;
-import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.activity.ros.NodeSources;
 import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.activity.ros.RosNode;
@@ -97,7 +96,7 @@ final class ActivityReader {
                 world,
                 outputPorts,
                 profile,
-                ros == null ? List.of() : MessageSignals.of(ros.messages())));
+                ros == null ? null : ros.messages()));
       }
     }
     diagnostics.throwIfErrors();

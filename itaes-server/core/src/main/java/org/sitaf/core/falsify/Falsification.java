@@ -18,8 +18,10 @@ import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.model.Value;
 
 /**
- * Searches for the case with the smallest margin: first the given cases, then with CMA-ES from the
- * best of them. Ends when a case violates the condition, or when the budget is used.
+ * Searches for the case with the smallest margin: first the given cases, then where an estimate of
+ * the margin is low or uncertain (Bayesian optimisation), and, when that makes no progress, with
+ * CMA-ES from the best case that is far from what was searched. Ends when a case violates the
+ * condition, or when the budget is used.
  */
 public final class Falsification {
   /** Replaces infinite margins and those of cases that cannot be executed. */
@@ -36,6 +38,9 @@ public final class Falsification {
   /** The smallest relative decrease that counts as progress. */
   private static final double PROGRESS = 0.05;
 
+  /** Batches of proposals without progress after which the optimiser searches from a case. */
+  private static final int MAX_STALE = 3;
+
   /** Distance of starts as a share of the ranges (root mean square). */
   private static final double FAR = 0.25;
 
@@ -47,6 +52,7 @@ public final class Falsification {
   private final long seed;
   private final Executor executor;
   private final Map<List<String>, Outcome> known = new HashMap<>();
+  private final Proposals proposals;
   private int executions;
   private Found best = new Found(List.of(), new Outcome(Double.POSITIVE_INFINITY, false, ""), 0);
 
@@ -99,6 +105,7 @@ public final class Falsification {
     this.budget = budget;
     this.seed = seed;
     this.executor = executor;
+    this.proposals = new Proposals(space.dimensions());
   }
 
   /**
@@ -114,14 +121,35 @@ public final class Falsification {
     Well19937c random = new Well19937c(seed);
     List<double[]> searched = new ArrayList<>();
     int fruitless = 0;
+    int stale = 0;
     while (!isOver() && !starts.isEmpty() && fruitless < MAX_FRUITLESS) {
       int before = executions;
-      List<Value> start = start(starts, searched, random);
-      searched.add(space.point(start));
-      searched.add(space.point(climb(start, random.nextLong())));
+      double lowest = value(best.outcome());
+      if (stale < MAX_STALE) {
+        execute(proposed(starts, random));
+        boolean progress = value(best.outcome()) < lowest - PROGRESS * Math.abs(lowest);
+        stale = progress ? 0 : stale + 1;
+      } else {
+        List<Value> start = start(starts, searched, random);
+        searched.add(space.point(start));
+        searched.add(space.point(climb(start, random.nextLong())));
+        stale = 0;
+      }
       fruitless = executions == before ? fruitless + 1 : 0;
     }
     return new Found(best.row(), best.outcome(), executions);
+  }
+
+  /** Cases where the margin may be low; the inputs without a range are those of some start. */
+  private List<List<Value>> proposed(List<List<Value>> starts, Well19937c random)
+      throws InterruptedException {
+    List<List<Value>> rows = new ArrayList<>();
+    for (double[] point : proposals.next(population(), random)) {
+      Interruption.check();
+      boolean ofBest = !best.row().isEmpty() && random.nextBoolean();
+      rows.add(space.row(ofBest ? best.row() : starts.get(random.nextInt(starts.size())), point));
+    }
+    return rows;
   }
 
   /**
@@ -275,6 +303,7 @@ public final class Falsification {
     for (int i = 0; i < fresh.size(); i++) {
       Outcome outcome = outcomes.get(i);
       known.put(key(fresh.get(i)), outcome);
+      proposals.add(space.point(fresh.get(i)), value(outcome));
       if (outcome == Outcome.NONE) {
         continue;
       }
