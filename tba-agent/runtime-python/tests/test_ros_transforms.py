@@ -200,3 +200,32 @@ def test_filters_and_diagnostics(tmp_path):
         (1.0, "probe: Battery", b"\1", "low"),
     ]
     assert texts == ["close 1.0", "exact", "close 3.0"]
+
+
+CLOUD = """
+import math
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from sensor_msgs_py import point_cloud2
+from std_msgs.msg import Header
+from tf2_geometry_msgs import PoseStamped
+from tf2_sensor_msgs.tf2_sensor_msgs import do_transform_cloud
+
+
+class Probe(Node):
+    def __init__(self):
+        super().__init__('probe')
+        turned = TransformStamped()
+        turned.header.frame_id = 'odom'
+        turned.transform.translation.x = 10.0
+        turned.transform.rotation.z = turned.transform.rotation.w = math.sqrt(0.5)
+        cloud = point_cloud2.create_cloud_xyz32(Header(frame_id='laser'), [(1, 0, 3), (0, 2, 4)])
+        moved = do_transform_cloud(cloud, turned)
+        points = [[round(float(v), 5) + 0.0 for v in p] for p in point_cloud2.read_points_list(moved)]
+        self.get_logger().info(f'{moved.header.frame_id} {points} {PoseStamped().pose.orientation.w}')
+"""
+
+
+def test_a_point_cloud_is_transformed(tmp_path):
+    texts = node(tmp_path, CLOUD, lambda case: (case.run(0), case.texts)[1])
+    assert texts == ["odom [[10.0, 1.0, 3.0], [8.0, 0.0, 4.0]] 1.0"]

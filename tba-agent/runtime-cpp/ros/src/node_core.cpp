@@ -155,7 +155,69 @@ void put(std::map<std::string, std::vector<std::string>> & into, const std::stri
   }
 }
 
+/// Name and namespace of a node from its full name.
+std::pair<std::string, std::string> parted(const std::string & full)
+{
+  const auto at = full.rfind('/');
+  return {at == std::string::npos ? full : full.substr(at + 1),
+    at == std::string::npos || at == 0 ? "/" : full.substr(0, at)};
+}
+
+std::string joined(const std::string & node, const std::string & name_space)
+{
+  return name_space.empty() || name_space == "/" ? "/" + node : name_space + "/" + node;
+}
+
+/// What a node has of publications, subscriptions, servers or clients; an unknown node is an error, as in rcl.
+template<class T, class Name>
+std::map<std::string, std::vector<std::string>> names_of(
+  const std::vector<std::shared_ptr<T>> & all, const std::string & node, const std::string & name_space, Name name)
+{
+  const std::string full = joined(node, name_space);
+  const auto & nodes = Graph::get().nodes;
+  if (std::find(nodes.begin(), nodes.end(), full) == nodes.end()) {
+    throw exceptions::RCLError("failed to get names and types of the node " + full + ": node name not found");
+  }
+  std::map<std::string, std::vector<std::string>> found;
+  for (const auto & one : all) {
+    if (one->node == full) {
+      put(found, name(*one), one->type);
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+std::map<std::string, std::vector<std::string>> NodeCore::get_service_names_and_types_by_node(
+  const std::string & node, const std::string & name_space) const
+{
+  return names_of(Graph::get().servers, node, name_space, [](const auto & one) {return one.name;});
+}
+std::map<std::string, std::vector<std::string>> NodeCore::get_client_names_and_types_by_node(
+  const std::string & node, const std::string & name_space) const
+{
+  return names_of(Graph::get().clients, node, name_space, [](const auto & one) {return one.name;});
+}
+std::map<std::string, std::vector<std::string>> NodeCore::get_publisher_names_and_types_by_node(
+  const std::string & node, const std::string & name_space, bool) const
+{
+  return names_of(Graph::get().publications, node, name_space, [](const auto & one) {return one.topic;});
+}
+std::map<std::string, std::vector<std::string>> NodeCore::get_subscriber_names_and_types_by_node(
+  const std::string & node, const std::string & name_space, bool) const
+{
+  return names_of(Graph::get().subscriptions, node, name_space, [](const auto & one) {return one.topic;});
+}
+
+std::vector<std::pair<std::string, std::string>> NodeCore::get_node_names_and_namespaces() const
+{
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const auto & node : Graph::get().nodes) {
+    found.push_back(parted(node));
+  }
+  return found;
+}
 
 std::map<std::string, std::vector<std::string>> NodeCore::get_topic_names_and_types(bool) const
 {
@@ -240,15 +302,14 @@ QoS qos_of(const sitaf_ros::Quality & quality)
 }
 
 template<class T>
-std::vector<TopicEndpointInfo> infos(const std::vector<std::shared_ptr<T>> & all, const std::string & topic)
+std::vector<TopicEndpointInfo> infos(
+  const std::vector<std::shared_ptr<T>> & all, const std::string & topic, EndpointType endpoint)
 {
   std::vector<TopicEndpointInfo> found;
   for (const auto & one : all) {
     if (one->topic == topic) {
-      const auto at = one->node.rfind('/');
-      const std::string node = at == std::string::npos ? one->node : one->node.substr(at + 1);
-      const std::string name_space = at == std::string::npos || at == 0 ? "/" : one->node.substr(0, at);
-      found.emplace_back(node, name_space, one->type, qos_of(one->quality));
+      const auto [node, name_space] = node_interfaces::parted(one->node);
+      found.emplace_back(node, name_space, one->type, qos_of(one->quality), endpoint);
     }
   }
   return found;
@@ -258,12 +319,22 @@ std::vector<TopicEndpointInfo> infos(const std::vector<std::shared_ptr<T>> & all
 
 std::vector<TopicEndpointInfo> NodeApi::get_publishers_info_by_topic(const std::string & topic, bool) const
 {
-  return infos(Graph::get().publications, core_->resolve(topic));
+  return infos(Graph::get().publications, core_->resolve(topic), EndpointType::Publisher);
 }
 
 std::vector<TopicEndpointInfo> NodeApi::get_subscriptions_info_by_topic(const std::string & topic, bool) const
 {
-  return infos(Graph::get().subscriptions, core_->resolve(topic));
+  return infos(Graph::get().subscriptions, core_->resolve(topic), EndpointType::Subscription);
+}
+
+std::string expand_topic_or_service_name(
+  const std::string & name, const std::string & node_name, const std::string & node_namespace, bool)
+{
+  const std::string problem = sitaf_ros::topic_problem(name);
+  if (!problem.empty()) {
+    throw exceptions::InvalidTopicNameError(name, problem);
+  }
+  return sitaf_ros::expand(name, node_name, node_namespace);
 }
 
 }  // namespace rclcpp

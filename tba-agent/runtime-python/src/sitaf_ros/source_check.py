@@ -30,7 +30,6 @@ NOT_AVAILABLE = (
     "rqt_gui_py",
     "sros2",
     "tf2_kdl",
-    "tf2_sensor_msgs",
 )
 
 

@@ -44,6 +44,15 @@ public:
     level = std::max<unsigned char>(level, given);
   }
   void mergeSummary(const diagnostic_msgs::msg::DiagnosticStatus & other) {mergeSummary(other.level, other.message);}
+  void mergeSummaryf(unsigned char given, const char * format, ...) __attribute__((format(printf, 3, 4)))
+  {
+    char text[1000];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    mergeSummary(given, std::string(text));
+  }
   template<class T>
   void add(const std::string & key, const T & value)
   {
@@ -133,6 +142,11 @@ public:
       core_->shared_from_this(), "/diagnostics", rclcpp::QoS(1));
     restart();
   }
+
+  using Interface = rclcpp::node_interfaces::NodeCore::SharedPtr;
+  Updater(
+    Interface base, Interface, Interface, Interface, Interface, Interface, double period = 1.0, bool immediately = true)
+  : Updater(base, period, immediately) {}
 
   void add(const std::string & name, TaskFunction call)
   {
@@ -229,61 +243,6 @@ private:
   std::vector<std::pair<std::string, TaskFunction>> tasks_;
   std::shared_ptr<rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>> publisher_;
   std::shared_ptr<rclcpp::TimerBase> timer_;
-};
-
-struct FrequencyStatusParam
-{
-  FrequencyStatusParam(double * least, double * most, double tolerance = 0.1, int window = 5)
-  : min_freq_(least), max_freq_(most), tolerance_(tolerance), window_size_(window) {}
-  double * min_freq_;
-  double * max_freq_;
-  double tolerance_;
-  int window_size_;
-};
-
-class FrequencyStatus : public DiagnosticTask
-{
-public:
-  explicit FrequencyStatus(
-    const FrequencyStatusParam & params, std::string name = "FrequencyStatus",
-    rclcpp::Clock::SharedPtr clock = std::make_shared<rclcpp::Clock>())
-  : DiagnosticTask(name), params_(params), clock_(std::move(clock)) {clear();}
-  void clear()
-  {
-    count_ = 0;
-    windows_.assign(static_cast<std::size_t>(params_.window_size_), {clock_->now().seconds(), 0});
-    at_ = 0;
-  }
-  void tick() {++count_;}
-  void run(DiagnosticStatusWrapper & status) override
-  {
-    const double now = clock_->now().seconds();
-    const int events = count_ - windows_[at_].second;
-    const double window = now - windows_[at_].first;
-    const double frequency = events / window;
-    windows_[at_] = {now, count_};
-    at_ = (at_ + 1) % windows_.size();
-    if (events == 0) {
-      status.summary(2, "No events recorded.");
-    } else if (*params_.min_freq_ > 0 && frequency < *params_.min_freq_ * (1 - params_.tolerance_)) {
-      status.summary(1, "Frequency too low.");
-    } else if (std::isfinite(*params_.max_freq_) && frequency > *params_.max_freq_ * (1 + params_.tolerance_)) {
-      status.summary(1, "Frequency too high.");
-    } else {
-      status.summary(0, "Desired frequency met");
-    }
-    status.addf("Events in window", "%d", events);
-    status.addf("Events since startup", "%d", count_);
-    status.addf("Duration of window (s)", "%f", window);
-    status.addf("Actual frequency (Hz)", "%f", frequency);
-  }
-
-private:
-  const FrequencyStatusParam params_;
-  rclcpp::Clock::SharedPtr clock_;
-  int count_ = 0;
-  std::vector<std::pair<double, int>> windows_;
-  std::size_t at_ = 0;
 };
 
 }  // namespace diagnostic_updater

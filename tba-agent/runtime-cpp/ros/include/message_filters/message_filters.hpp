@@ -48,19 +48,40 @@ private:
   std::function<void()> end_;
 };
 
+/// A message, and when it was received.
 template<class M>
 class MessageEvent
 {
 public:
+  using Message = std::remove_const_t<M>;
+  using ConstMessagePtr = std::shared_ptr<const Message>;
+
   MessageEvent() = default;
-  explicit MessageEvent(std::shared_ptr<const M> message)
-  : message_(std::move(message)) {}
-  std::shared_ptr<const M> getMessage() const {return message_;}
-  std::shared_ptr<const M> getConstMessage() const {return message_;}
+  MessageEvent(ConstMessagePtr message)
+  : MessageEvent(std::move(message), rclcpp::Clock(RCL_ROS_TIME).now()) {}
+  MessageEvent(ConstMessagePtr message, rclcpp::Time received)
+  : message_(std::move(message)), received_(received) {}
+  template<class Other, class = std::enable_if_t<std::is_same_v<std::remove_const_t<Other>, Message>>>
+  MessageEvent(const MessageEvent<Other> & other)
+  : MessageEvent(other.getConstMessage(), other.getReceiptTime()) {}
+  /// The message; a copy where it may be changed.
+  std::shared_ptr<M> getMessage() const
+  {
+    if constexpr (std::is_const_v<M>) {
+      return message_;
+    } else {
+      return message_ == nullptr ? nullptr : std::make_shared<M>(*message_);
+    }
+  }
+  ConstMessagePtr getConstMessage() const {return message_;}
+  rclcpp::Time getReceiptTime() const {return received_;}
 
 private:
-  std::shared_ptr<const M> message_;
+  ConstMessagePtr message_;
+  rclcpp::Time received_;
 };
+
+struct NullType {};
 
 template<class M>
 class SimpleFilter
@@ -79,7 +100,7 @@ public:
         } else if constexpr (std::is_invocable_v<F &, const M &>) {
           callback(*message);
         } else {
-          callback(MessageEvent<M>(message));
+          callback(MessageEvent<const M>(message));
         }
       };
     auto callbacks = callbacks_;
@@ -109,12 +130,28 @@ private:
   std::string name_;
 };
 
+/// Subscribers begin a chain of filters: nothing is put into them.
+struct SubscriberMark {};
+
+/// What subscribers of different messages have in common.
+template<class N = rclcpp::Node>
+class SubscriberBase : public SubscriberMark
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(SubscriberBase)
+  using NodePtr = std::shared_ptr<N>;
+  virtual ~SubscriberBase() = default;
+  virtual void subscribe() = 0;
+  virtual void unsubscribe() = 0;
+};
+
 template<class M, class N = rclcpp::Node>
-class Subscriber : public SimpleFilter<M>
+class Subscriber : public SubscriberBase<N>, public SimpleFilter<M>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Subscriber)
   using MessageType = M;
+  using EventType = MessageEvent<const M>;
 
   Subscriber() = default;
   template<class T>
@@ -141,13 +178,13 @@ public:
   {
     begin(rclcpp::detail::core(node), topic, qos, options);
   }
-  void subscribe()
+  void subscribe() override
   {
     if (again_) {
       again_();
     }
   }
-  void unsubscribe() {subscription_.reset();}
+  void unsubscribe() override {subscription_.reset();}
   std::string getTopic() const {return topic_;}
   const typename rclcpp::Subscription<M>::SharedPtr getSubscriber() const {return subscription_;}
   template<class F>
@@ -230,6 +267,22 @@ public:
     }
     return found;
   }
+  /// From the last message at or before the start to the first one at or after the end.
+  std::vector<Ptr_> getSurroundingInterval(const rclcpp::Time & start, const rclcpp::Time & end) const
+  {
+    if (kept_.empty()) {
+      return {};
+    }
+    std::size_t first = kept_.size() - 1, last = 0;
+    while (first > 0 && stamp(kept_[first]) > start) {
+      --first;
+    }
+    last = first;
+    while (last + 1 < kept_.size() && stamp(kept_[last]) < end) {
+      ++last;
+    }
+    return std::vector<Ptr_>(kept_.begin() + first, kept_.begin() + last + 1);
+  }
   Ptr_ getElemBeforeTime(const rclcpp::Time & time) const
   {
     Ptr_ found;
@@ -256,6 +309,129 @@ private:
   static rclcpp::Time stamp(const Ptr_ & message) {return message_traits::TimeStamp<M>::value(*message);}
   std::deque<Ptr_> kept_;
   std::size_t size_;
+};
+
+/// Passes messages on in the order of their stamps, each a delay after its stamp; one that comes later is dropped.
+template<class M>
+class TimeSequencer : public SimpleFilter<M>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(TimeSequencer)
+  using MConstPtr = std::shared_ptr<const M>;
+  using EventType = MessageEvent<const M>;
+
+  template<class F, class N>
+  TimeSequencer(F & filter, rclcpp::Duration delay, rclcpp::Duration period, std::uint32_t queue, N && node)
+  : TimeSequencer(delay, period, queue, std::forward<N>(node)) {connectInput(filter);}
+  template<class N>
+  TimeSequencer(rclcpp::Duration delay, rclcpp::Duration period, std::uint32_t queue, N && node)
+  : delay_(delay), queue_(queue)
+  {
+    const auto core = rclcpp::detail::core(std::forward<N>(node));
+    clock_ = core->get_clock();
+    timer_ = rclcpp::create_timer(core, clock_, period, [this] {dispatch();});
+  }
+  template<class F>
+  void connectInput(F & filter)
+  {
+    input_.disconnect();
+    input_ = filter.registerCallback([this](const MConstPtr & message) {add(message);});
+  }
+  ~TimeSequencer() override {input_.disconnect();}
+  void add(const EventType & event) {add(event.getMessage());}
+  void add(const MConstPtr & message)
+  {
+    const rclcpp::Time time = stamp(message);
+    if (last_ && time.nanoseconds() < *last_) {
+      return;
+    }
+    auto at = kept_.end();
+    while (at != kept_.begin() && stamp(*std::prev(at)) > time) {
+      --at;
+    }
+    kept_.insert(at, message);
+    if (queue_ != 0 && kept_.size() > queue_) {
+      kept_.pop_front();
+    }
+  }
+
+private:
+  static rclcpp::Time stamp(const MConstPtr & message) {return message_traits::TimeStamp<M>::value(*message);}
+  void dispatch()
+  {
+    while (!kept_.empty() && (stamp(kept_.front()) + delay_).nanoseconds() <= clock_->now().nanoseconds()) {
+      const MConstPtr message = kept_.front();
+      kept_.pop_front();
+      last_ = stamp(message).nanoseconds();
+      this->signalMessage(message);
+    }
+  }
+
+  rclcpp::Duration delay_;
+  std::uint32_t queue_;
+  rclcpp::Clock::SharedPtr clock_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  std::deque<MConstPtr> kept_;
+  std::optional<std::int64_t> last_;
+  Connection input_;
+};
+
+/// Filters in a row; the messages of the last one leave the chain.
+template<class M>
+class Chain : public SimpleFilter<M>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Chain)
+  using MConstPtr = std::shared_ptr<const M>;
+  using EventType = MessageEvent<const M>;
+
+  Chain() = default;
+  template<class F>
+  explicit Chain(F & filter) {connectInput(filter);}
+  ~Chain() override {input_.disconnect();}
+  template<class F>
+  std::size_t addFilter(F * filter) {return addFilter(std::shared_ptr<F>(filter, [](F *) {}));}
+  template<class F>
+  std::size_t addFilter(const std::shared_ptr<F> & filter)
+  {
+    if (!filters_.empty()) {
+      filter->connectInput(*last_);
+    }
+    output_.disconnect();
+    output_ = filter->registerCallback([this](const MConstPtr & message) {this->signalMessage(message);});
+    if constexpr (!std::is_base_of_v<SubscriberMark, F>) {
+      if (filters_.empty()) {
+        first_ = [filter](const MConstPtr & message) {filter->add(message);};
+      }
+    }
+    last_ = filter.get();
+    filters_.push_back(filter);
+    return filters_.size() - 1;
+  }
+  template<class F>
+  std::shared_ptr<F> getFilter(std::size_t index) const
+  {
+    return index < filters_.size() ? std::static_pointer_cast<F>(filters_[index]) : nullptr;
+  }
+  template<class F>
+  void connectInput(F & filter)
+  {
+    input_.disconnect();
+    input_ = filter.registerCallback([this](const MConstPtr & message) {add(message);});
+  }
+  void add(const EventType & event) {add(event.getMessage());}
+  void add(const MConstPtr & message)
+  {
+    if (first_) {
+      first_(message);
+    }
+  }
+
+private:
+  std::vector<std::shared_ptr<void>> filters_;
+  SimpleFilter<M> * last_ = nullptr;
+  std::function<void(const MConstPtr &)> first_;
+  Connection input_, output_;
 };
 
 namespace sync_policies {
@@ -388,10 +564,54 @@ private:
   std::tuple<std::deque<std::shared_ptr<const Ms>>...> queues_;
 };
 
+/// Sets of messages whose stamps differ by at most an epsilon; a message without partners is dropped.
 template<class ... Ms>
-using ApproximateEpsilonTime = ApproximateTime<Ms...>;
-template<class ... Ms>
-using LatestTime = ApproximateTime<Ms...>;
+class ApproximateEpsilonTime : public Policy<Ms...>
+{
+public:
+  using Set = typename Policy<Ms...>::Set;
+  ApproximateEpsilonTime(std::uint32_t queue, const rclcpp::Duration & epsilon)
+  : queue_(queue), epsilon_(epsilon.nanoseconds()) {}
+
+  template<std::size_t I, class P>
+  void add(const P & message, const typename Policy<Ms...>::Emit & emit)
+  {
+    auto & queue = std::get<I>(queues_);
+    queue.push_back(message);
+    if (queue_ > 0 && queue.size() > queue_) {
+      queue.pop_front();
+    }
+    while (std::apply([](const auto & ... q) {return (... && !q.empty());}, queues_)) {
+      const std::int64_t oldest = std::apply([](const auto & ... q) {return std::min({stamp(q.front())...});}, queues_);
+      const std::int64_t newest = std::apply([](const auto & ... q) {return std::max({stamp(q.front())...});}, queues_);
+      if (newest - oldest <= epsilon_) {
+        const Set found = std::apply([](const auto & ... q) {return Set(q.front()...);}, queues_);
+        std::apply([](auto & ... q) {(q.pop_front(), ...);}, queues_);
+        emit(found);
+      } else {
+        std::apply([oldest](auto & ... q) {(drop(q, oldest), ...);}, queues_);
+      }
+    }
+  }
+
+private:
+  template<class M>
+  static std::int64_t stamp(const std::shared_ptr<const M> & message)
+  {
+    return message_traits::TimeStamp<M>::value(*message).nanoseconds();
+  }
+  template<class Q>
+  static void drop(Q & queue, std::int64_t oldest)
+  {
+    if (stamp(queue.front()) == oldest) {
+      queue.pop_front();
+    }
+  }
+
+  std::uint32_t queue_;
+  std::int64_t epsilon_;
+  std::tuple<std::deque<std::shared_ptr<const Ms>>...> queues_;
+};
 
 }  // namespace sync_policies
 
@@ -432,6 +652,7 @@ public:
       });
     return Connection();
   }
+  void init() {}
   Policy * getPolicy() {return this;}
   void setName(const std::string & name) {name_ = name;}
   const std::string & getName() const {return name_;}

@@ -94,6 +94,47 @@ typename GenericTimer<F>::SharedPtr create_timer(
   return timer;
 }
 
+template<class R, class P, class F, class N>
+typename GenericTimer<F>::SharedPtr create_timer(
+  N && node, Clock::SharedPtr clock, std::chrono::duration<R, P> period, F && callback,
+  CallbackGroup::SharedPtr group = nullptr, bool autostart = true)
+{
+  return create_timer(
+    std::forward<N>(node), std::move(clock), Duration(period), std::forward<F>(callback), group, autostart);
+}
+// With the interfaces of a node, which are one object here.
+template<class F>
+typename GenericTimer<F>::SharedPtr create_timer(
+  node_interfaces::NodeCore::SharedPtr node, node_interfaces::NodeCore::SharedPtr, Clock::SharedPtr clock,
+  Duration period, F && callback, CallbackGroup::SharedPtr group = nullptr, bool autostart = true)
+{
+  return create_timer(node, std::move(clock), period, std::forward<F>(callback), group, autostart);
+}
+template<class R, class P, class F>
+typename GenericTimer<F>::SharedPtr create_timer(
+  Clock::SharedPtr clock, std::chrono::duration<R, P> period, F callback, CallbackGroup::SharedPtr group,
+  node_interfaces::NodeCore * node, node_interfaces::NodeCore *, bool autostart = true)
+{
+  return create_timer(node, std::move(clock), Duration(period), std::move(callback), group, autostart);
+}
+template<class T, class F, class A = std::allocator<void>>
+std::shared_ptr<Subscription<T, A>> create_subscription(
+  const node_interfaces::NodeCore::SharedPtr & node, const node_interfaces::NodeCore::SharedPtr &,
+  const std::string & topic, const QoS & qos, F && callback,
+  const SubscriptionOptionsWithAllocator<A> & options = SubscriptionOptionsWithAllocator<A>(),
+  std::shared_ptr<void> = nullptr)
+{
+  return create_subscription<T, F, A>(node, topic, qos, std::forward<F>(callback), options);
+}
+template<class T, class A = std::allocator<void>, class P = Publisher<T, A>>
+std::shared_ptr<P> create_publisher(
+  const node_interfaces::NodeCore::SharedPtr & node, const node_interfaces::NodeCore::SharedPtr &,
+  const std::string & topic, const QoS & qos,
+  const PublisherOptionsWithAllocator<A> & options = PublisherOptionsWithAllocator<A>())
+{
+  return create_publisher<T, A, P>(node, topic, qos, options);
+}
+
 template<class S, class N>
 typename Client<S>::SharedPtr create_client(
   N && node, const std::string & name, const QoS & = ServicesQoS(), CallbackGroup::SharedPtr group = nullptr)
@@ -115,5 +156,24 @@ typename Service<S>::SharedPtr create_service(
   core->add(made, group);
   return made;
 }
+
+template<class S>
+typename Client<S>::SharedPtr create_client(
+  node_interfaces::NodeCore::SharedPtr node, node_interfaces::NodeCore::SharedPtr, node_interfaces::NodeCore::SharedPtr,
+  const std::string & name, const QoS & qos = ServicesQoS(), CallbackGroup::SharedPtr group = nullptr)
+{
+  return create_client<S>(node, name, qos, group);
+}
+template<class S, class F>
+typename Service<S>::SharedPtr create_service(
+  node_interfaces::NodeCore::SharedPtr node, node_interfaces::NodeCore::SharedPtr, const std::string & name,
+  F && callback, const QoS & qos = ServicesQoS(), CallbackGroup::SharedPtr group = nullptr)
+{
+  return create_service<S>(node, name, std::forward<F>(callback), qos, group);
+}
+
+/// A topic or service name with the namespace and the name of the node; nothing is remapped.
+std::string expand_topic_or_service_name(
+  const std::string & name, const std::string & node_name, const std::string & node_namespace, bool is_service = false);
 
 }  // namespace rclcpp

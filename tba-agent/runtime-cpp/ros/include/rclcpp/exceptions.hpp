@@ -45,6 +45,7 @@ SITAF_NAME_ERROR(InvalidServiceNameError, "service name");
 SITAF_ERROR(UnimplementedError, std::runtime_error);
 SITAF_ERROR(InvalidEventError, std::runtime_error);
 SITAF_ERROR(EventNotRegisteredError, std::runtime_error);
+SITAF_ERROR(UnsupportedEventTypeException, std::runtime_error);
 SITAF_ERROR(InvalidParametersException, std::runtime_error);
 SITAF_ERROR(InvalidParameterValueException, std::runtime_error);
 SITAF_ERROR(ParameterNotDeclaredException, std::runtime_error);

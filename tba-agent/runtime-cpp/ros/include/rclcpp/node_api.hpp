@@ -11,11 +11,15 @@
 
 namespace rclcpp {
 
+enum class EndpointType {Invalid = 0, Publisher = 1, Subscription = 2};
+
 class TopicEndpointInfo
 {
 public:
-  TopicEndpointInfo(std::string node, std::string name_space, std::string type, QoS qos)
-  : node_(std::move(node)), namespace_(std::move(name_space)), type_(std::move(type)), qos_(std::move(qos)) {}
+  TopicEndpointInfo(std::string node, std::string name_space, std::string type, QoS qos, EndpointType endpoint)
+  : node_(std::move(node)), namespace_(std::move(name_space)), type_(std::move(type)), qos_(std::move(qos)),
+    endpoint_(endpoint) {}
+  EndpointType endpoint_type() const {return endpoint_;}
   const std::string & node_name() const {return node_;}
   const std::string & node_namespace() const {return namespace_;}
   const std::string & topic_type() const {return type_;}
@@ -24,6 +28,7 @@ public:
 private:
   std::string node_, namespace_, type_;
   QoS qos_;
+  EndpointType endpoint_;
 };
 
 class Event
@@ -278,6 +283,10 @@ public:
   std::vector<std::string> get_node_names() const {return core_->get_node_names();}
   auto get_topic_names_and_types() const {return core_->get_topic_names_and_types();}
   auto get_service_names_and_types() const {return core_->get_service_names_and_types();}
+  auto get_service_names_and_types_by_node(const std::string & node, const std::string & name_space) const
+  {
+    return core_->get_service_names_and_types_by_node(node, name_space);
+  }
   std::size_t count_publishers(const std::string & topic) const {return core_->count_publishers(topic);}
   std::size_t count_subscribers(const std::string & topic) const {return core_->count_subscribers(topic);}
   std::size_t count_services(const std::string & name) const {return core_->count_services(name);}

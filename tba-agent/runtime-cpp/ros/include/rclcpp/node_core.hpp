@@ -109,7 +109,16 @@ public:
   // Graph.
   std::map<std::string, std::vector<std::string>> get_topic_names_and_types(bool = false) const;
   std::map<std::string, std::vector<std::string>> get_service_names_and_types() const;
+  std::map<std::string, std::vector<std::string>> get_service_names_and_types_by_node(
+    const std::string & node, const std::string & name_space) const;
+  std::map<std::string, std::vector<std::string>> get_client_names_and_types_by_node(
+    const std::string & node, const std::string & name_space) const;
+  std::map<std::string, std::vector<std::string>> get_publisher_names_and_types_by_node(
+    const std::string & node, const std::string & name_space, bool no_demangle = false) const;
+  std::map<std::string, std::vector<std::string>> get_subscriber_names_and_types_by_node(
+    const std::string & node, const std::string & name_space, bool no_demangle = false) const;
   std::vector<std::string> get_node_names() const;
+  std::vector<std::pair<std::string, std::string>> get_node_names_and_namespaces() const;
   std::size_t count_publishers(const std::string & topic) const;
   std::size_t count_subscribers(const std::string & topic) const;
   std::size_t count_services(const std::string & name) const;

@@ -288,3 +288,7 @@ typename Server<A>::SharedPtr create_server(
 }
 
 }  // namespace rclcpp_action
+
+// As in C, where they come from.
+using rcl_action_server_options_t = rclcpp_action::ServerOptions;
+using rclcpp_action::rcl_action_server_get_default_options;

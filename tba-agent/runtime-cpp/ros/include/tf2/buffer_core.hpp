@@ -80,6 +80,13 @@ public:
   std::vector<std::string> getAllFrameNames() const;
   std::string allFramesAsYAML() const;
   std::string allFramesAsString() const {return allFramesAsYAML();}
+  bool _frameExists(const std::string & frame) const {return frames_.count(frame) > 0;}
+  bool _getParent(const std::string & frame, TimePoint, std::string & up) const
+  {
+    up = _frameExists(frame) ? parent(frame) : "";
+    return !up.empty();
+  }
+  std::vector<std::string> _getFrameStrings() const {return getAllFrameNames();}
 
 protected:
   /// Called after a new transform.

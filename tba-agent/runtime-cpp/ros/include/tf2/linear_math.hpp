@@ -60,6 +60,18 @@ public:
   Vector3 absolute() const {return {std::abs(x()), std::abs(y()), std::abs(z())};}
   Vector3 lerp(const Vector3 & v, double t) const {return *this + (v - *this) * t;}
   bool isZero() const {return x() == 0 && y() == 0 && z() == 0;}
+  bool fuzzyZero() const {return length2() < TF2SIMD_EPSILON;}
+  double triple(const Vector3 & a, const Vector3 & b) const {return dot(a.cross(b));}
+  int minAxis() const {return x() < y() ? (x() < z() ? 0 : 2) : (y() < z() ? 1 : 2);}
+  int maxAxis() const {return x() < y() ? (y() < z() ? 2 : 1) : (x() < z() ? 2 : 0);}
+  void setMax(const Vector3 & v) {*this = {std::max(x(), v.x()), std::max(y(), v.y()), std::max(z(), v.z())};}
+  void setMin(const Vector3 & v) {*this = {std::min(x(), v.x()), std::min(y(), v.y()), std::min(z(), v.z())};}
+  /// Turns around an axis of length 1.
+  Vector3 rotate(const Vector3 & axis, double angle) const
+  {
+    const Vector3 along = axis * axis.dot(*this), across = *this - along;
+    return along + across * std::cos(angle) + axis.cross(*this) * std::sin(angle);
+  }
 };
 
 inline double tf2Dot(const Vector3 & a, const Vector3 & b) {return a.dot(b);}

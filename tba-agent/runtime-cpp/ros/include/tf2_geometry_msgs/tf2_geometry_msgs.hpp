@@ -9,6 +9,7 @@
 #include "geometry_msgs/msg/transform_stamped.hpp"
 #include "geometry_msgs/msg/vector3_stamped.hpp"
 #include "geometry_msgs/msg/wrench_stamped.hpp"
+#include "sitaf_ros/type_support.hpp"
 #include "tf2/convert.hpp"
 
 namespace tf2 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <future>
 #include <map>
@@ -28,17 +29,41 @@ inline rclcpp::Duration toRclcpp(const tf2::Duration & time) {return rclcpp::Dur
 inline builtin_interfaces::msg::Time toMsg(const tf2::TimePoint & time) {return toRclcpp(time);}
 inline builtin_interfaces::msg::Duration toMsg(const tf2::Duration & time) {return toRclcpp(time);}
 
+inline double timeToSec(const builtin_interfaces::msg::Time & time) {return tf2::timeToSec(fromMsg(time));}
+
+class CreateTimerInterfaceException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Makes the timers that end a wait for a transform.
 class CreateTimerInterface
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(CreateTimerInterface)
+  virtual ~CreateTimerInterface() = default;
+  virtual rclcpp::TimerBase::SharedPtr sitaf_timer(
+    rclcpp::Clock::SharedPtr clock, const tf2::Duration & period, std::function<void()> callback) = 0;
 };
 class CreateTimerROS : public CreateTimerInterface
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(CreateTimerROS)
-  template<class ... Args>
-  explicit CreateTimerROS(Args && ...) {}
+  using NodeInterface = rclcpp::node_interfaces::NodeCore::SharedPtr;
+  CreateTimerROS(NodeInterface base, NodeInterface, rclcpp::CallbackGroup::SharedPtr group = nullptr)
+  : node_(base), group_(std::move(group)) {}
+  rclcpp::TimerBase::SharedPtr sitaf_timer(
+    rclcpp::Clock::SharedPtr clock, const tf2::Duration & period, std::function<void()> callback) override
+  {
+    const auto node = node_.lock();
+    return node == nullptr ? nullptr :
+           rclcpp::create_timer(node, clock, rclcpp::Duration(period), std::move(callback), group_);
+  }
+
+private:
+  rclcpp::node_interfaces::NodeCore::WeakPtr node_;
+  rclcpp::CallbackGroup::SharedPtr group_;
 };
 
 using TransformStampedFuture = std::shared_future<geometry_msgs::msg::TransformStamped>;
@@ -99,23 +124,45 @@ public:
     return canTransform(target, source, fromRclcpp(time), fromRclcpp(timeout), why);
   }
   TransformStampedFuture waitForTransform(
-    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration &,
+    const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration & timeout,
     TransformReadyCallback callback)
   {
+    if (timers_ == nullptr) {
+      throw CreateTimerInterfaceException("timer interface not set before call to waitForTransform");
+    }
     auto promise = std::make_shared<std::promise<Message>>();
     TransformStampedFuture future = promise->get_future().share();
-    waiting_.push_back([this, target, source, time, promise, future, callback] {
+    auto waiting = std::make_shared<Waiting>();
+    waiting->arrived = [this, target, source, time, promise, future, callback] {
         if (!canTransform(target, source, time)) {
           return false;
         }
         promise->set_value(BufferCore::lookupTransform(target, source, time));
         callback(future);
         return true;
-      });
-    changed();
+      };
+    if (waiting->arrived()) {
+      return future;
+    }
+    waiting_.push_back(waiting);
+    if (timeout < LONGEST_TIMEOUT) {
+      std::weak_ptr<Waiting> weak = waiting;
+      const std::string text = "Timed out waiting for transform from " + source + " to " + target;
+      waiting->timer = timers_->sitaf_timer(clock_, timeout, [this, weak, promise, future, callback, text] {
+            const auto late = waiting_.end();
+            const auto found = std::find(waiting_.begin(), late, weak.lock());
+            if (found == late) {
+              return;
+            }
+            const auto kept = *found;
+            kept->timer->cancel();
+            waiting_.erase(found);
+            promise->set_exception(std::make_exception_ptr(tf2::TimeoutException(text)));
+            callback(future);
+          });
+    }
     return future;
   }
-  template<class ... Args>
   TransformStampedFuture waitForTransform(
     const std::string & target, const std::string & source, const rclcpp::Time & time, const rclcpp::Duration & timeout,
     TransformReadyCallback callback)
@@ -139,23 +186,40 @@ public:
 
   void setUsingDedicatedThread(bool) {}
   bool isUsingDedicatedThread() const {return true;}
-  void setCreateTimerInterface(CreateTimerInterface::SharedPtr) {}
+  void setCreateTimerInterface(CreateTimerInterface::SharedPtr timers) {timers_ = std::move(timers);}
   rclcpp::Clock::SharedPtr getClock() const {return clock_;}
 
 protected:
   void changed() override
   {
-    auto waiting = std::move(waiting_);
-    waiting_.clear();
-    for (auto & one : waiting) {
-      if (!one()) {
-        waiting_.push_back(std::move(one));
+    for (const auto & one : std::vector<std::shared_ptr<Waiting>>(waiting_)) {
+      // A callback may have ended another wait.
+      const auto found = std::find(waiting_.begin(), waiting_.end(), one);
+      if (found != waiting_.end() && can_end(*one)) {
+        waiting_.erase(std::find(waiting_.begin(), waiting_.end(), one));
       }
     }
     sitaf_ros::kernel::wake(this);
   }
 
 private:
+  struct Waiting
+  {
+    /// Ends the wait if the transform is there.
+    std::function<bool()> arrived;
+    rclcpp::TimerBase::SharedPtr timer;
+  };
+  // Timers cannot have the longest duration there is; a century is as good.
+  static constexpr tf2::Duration LONGEST_TIMEOUT = std::chrono::hours(24 * 365 * 100);
+
+  static bool can_end(Waiting & waiting)
+  {
+    const bool ends = waiting.arrived();
+    if (ends && waiting.timer != nullptr) {
+      waiting.timer->cancel();
+    }
+    return ends;
+  }
   template<class F>
   void wait(F is_there, tf2::Duration timeout) const
   {
@@ -166,7 +230,8 @@ private:
   }
 
   rclcpp::Clock::SharedPtr clock_;
-  std::vector<std::function<bool()>> waiting_;
+  CreateTimerInterface::SharedPtr timers_;
+  std::vector<std::shared_ptr<Waiting>> waiting_;
 };
 
 class TransformListener

@@ -99,6 +99,7 @@ class Build:
         if problems:
             return self._report(problems)
         try:
+            headers.with_builders = sources.builds_messages(entry.units)
             headers.write(sources.types(entry.units), self._scratch / "generated")
         except DefinitionError as e:
             return self._report([f"\t0\t0\t{e}"])

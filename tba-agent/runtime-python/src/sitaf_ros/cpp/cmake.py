@@ -19,6 +19,8 @@ _TARGETS = (
 # find_package names and those of pkg-config.
 _SYSTEM = {
     "eigen3": "eigen3",
+    "tf2_eigen": "eigen3",
+    "eigen3_cmake_module": "eigen3",
     "fmt": "fmt",
     "yaml-cpp": "yaml-cpp",
     "yaml_cpp_vendor": "yaml-cpp",

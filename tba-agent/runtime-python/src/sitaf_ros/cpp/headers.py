@@ -13,15 +13,24 @@ _NUMBERS = {"float32": "float", "float64": "double", "bool": "bool", "byte": "st
 _TEXTS = {"string": "std::string", "wstring": "std::u16string"}
 
 
+# The parts of a header that rosidl generates as files of their own.
+_DETAILS = ("struct", "traits", "builder", "type_support")
+
+
 class CppHeaders:
     """The headers of a set of types."""
 
     def __init__(self, types: MessageTypes) -> None:
         self._types = types
+        self.with_builders = False
+        """Whether messages can be made with `build<T>()`; each header gets longer."""
         self._by_header: dict[str, str] = {}
         for name in types.names():
             package, kind, short = name.split("/")
-            self._by_header[f"{package}/{kind}/{snake_case(short)}.hpp"] = name
+            snake = snake_case(short)
+            self._by_header[f"{package}/{kind}/{snake}.hpp"] = name
+            for part in _DETAILS:
+                self._by_header[f"{package}/{kind}/detail/{snake}__{part}.hpp"] = name
 
     @property
     def packages(self) -> set[str]:
@@ -40,13 +49,21 @@ class CppHeaders:
             if name in seen:
                 continue
             seen.add(name)
-            text, used = self._header(name)
+            text, used, structs = self._header(name)
             pending += used
             file = folder / header_of(name)
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, encoding="utf-8")
+            short = name.rpartition("/")[2]
+            details = file.parent / "detail"
+            details.mkdir(exist_ok=True)
+            for part in _DETAILS:
+                whole = f'#pragma once\n\n#include "{header_of(name)}"\n'
+                if part == "builder" and self.with_builders:
+                    whole += "\n" + "".join(_builder(definition) for definition in structs)
+                (details / f"{snake_case(short)}__{part}.hpp").write_text(whole, encoding="utf-8")
 
-    def _header(self, name: str) -> tuple[str, list[str]]:
+    def _header(self, name: str) -> tuple[str, list[str], list[Definition]]:
         text = self._types.text(name)
         if text is None:
             raise DefinitionError(f"the type {name} is not known; a .{name.split('/')[1]} file can define it")
@@ -81,6 +98,9 @@ class CppHeaders:
         guard = f"SITAF__{package}__{kind}__{snake_case(short)}__HPP_".upper()
         includes = "".join(f'#include "{header_of(other)}"\n' for other in sorted(used))
         body = "".join(_struct(definition) for definition in structs) + after
+        # Behind the guard: a precompiled header may hold the message without its builders.
+        detail = f"{package}/{kind}/detail/{snake_case(short)}__builder.hpp"
+        builders = f'#include "{detail}"\n' if self.with_builders else ""
         return (
             f"#ifndef {guard}\n#define {guard}\n\n#include <array>\n#include <cstdint>\n#include <limits>\n"
             f"#include <memory>\n#include <string>\n#include <vector>\n\n"
@@ -88,8 +108,9 @@ class CppHeaders:
             f'#include "rosidl_runtime_cpp/message_initialization.hpp"\n{includes}\n'
             f"namespace {package} {{\nnamespace {kind} {{\n\n{body}"
             f"}}  // namespace {kind}\n}}  // namespace {package}\n\n"
-            f"#endif\n",
+            f"#endif\n{builders}",
             used,
+            structs,
         )
 
     def _service(self, name: str, text: str) -> list[Definition]:
@@ -190,6 +211,31 @@ def _struct(definition: Definition) -> str:
         "",
     ]
     return "\n".join(lines)
+
+
+def _builder(definition: Definition) -> str:
+    """What sets the fields one after the other: `build<Point>().x(1).y(2).z(3)`."""
+    package, kind, short = definition.name.split("/")
+    full = f"::{package}::{kind}::{short}"
+    if not definition.fields:
+        return ""
+    steps = ""
+    for field, following in reversed(list(zip(definition.fields, [*definition.fields[1:], None], strict=True))):
+        result = f"Init_{short}_{following.name}" if following else full
+        steps += (
+            f"struct Init_{short}_{field.name}\n{{\n  {full} sitaf_made{{}};\n"
+            f"  {result} {field.name}({full}::_{field.name}_type value)\n"
+            f"  {{\n    sitaf_made.{field.name} = std::move(value);\n"
+            f"    return {'{std::move(sitaf_made)}' if following else 'std::move(sitaf_made)'};\n  }}\n}};\n"
+        )
+    return (
+        f"namespace {package} {{\nnamespace {kind} {{\nnamespace builder {{\n\n{steps}\n"
+        f"}}  // namespace builder\n}}  // namespace {kind}\n\n"
+        f"template<class M>\nauto build();\n"
+        f"template<>\ninline auto build<{full}>()\n"
+        f"{{\n  return {kind}::builder::Init_{short}_{definition.fields[0].name}{{}};\n}}\n\n"
+        f"}}  // namespace {package}\n\n"
+    )
 
 
 def _constant(name: str, value: object, kind: FieldType) -> str:

@@ -17,6 +17,7 @@ _ROS_NAMES = re.compile(
     r"|pluginlib|class_loader|image_transport|cv_bridge|pcl_\w+|hardware_interface|laser_geometry|urdf|kdl_parser"
     r"|angles|filters|bond\w*|behaviortree_cpp\w*|lifecycle_\w+|ament_\w+|message_filters|diagnostic_updater)$"
 )
+_BUILD = re.compile(r"::\s*build\s*<")
 UNITS = (".cpp", ".cc", ".cxx", ".c++", ".C")
 MOST_CHARACTERS = 2_000_000
 
@@ -103,6 +104,10 @@ class NodeSources:
         found = {self._headers.type_of(name) for file in self.reached(units) for _, name in self._includes(file)}
         return sorted(name for name in found if name)
 
+    def builds_messages(self, units: Iterable[Path]) -> bool:
+        """Tell whether messages are made with `build<T>()`."""
+        return any(_BUILD.search(self.text(file)) for file in self.reached(units))
+
     def problems(self, units: Iterable[Path]) -> list[str]:
         """Return a line for each header of ROS that is not there."""
         units = list(units)
@@ -126,6 +131,7 @@ class NodeSources:
 
     def _brought(self) -> list[str]:
         hidden = {"sitaf_ros", "rcl", "rmw", "rcutils", "rosidl_runtime_cpp"}
+        hidden |= self._headers.packages
         return sorted(f.name for f in self._api.iterdir() if f.is_dir() and f.name not in hidden)
 
     def packages(self) -> list[str]:

@@ -270,3 +270,8 @@ class EndpointEvents:
             f"{what} incompatible QoS. No messages will be {'received from' if self._subscribes else 'sent to'} it. "
             f"Last incompatible policy: {policy}"
         )
+
+
+# The names of rclpy.
+QoSDeadlineRequestedInfo = QoSRequestedDeadlineMissedInfo
+QoSDeadlineOfferedInfo = QoSOfferedDeadlineMissedInfo

@@ -6,6 +6,7 @@ At one instant, messages run in the order of their publication, then timers in t
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable
 from typing import Any
 
@@ -33,6 +34,12 @@ class ExternalShutdownException(Exception):
 
 class ConditionReachedException(Exception):
     """The condition of a wait came true."""
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+    """Call a function or a coroutine function."""
+    result = callback(*args)
+    return await result if inspect.isawaitable(result) else result
 
 
 class TimeoutObject:

@@ -11,6 +11,7 @@ from .constants import S_TO_NS
 from .duration import Duration
 
 _LIMIT = 2**63
+CONVERSION_CONSTANT = 10**9
 
 
 class Time:

@@ -13,6 +13,7 @@ from tf2_py import (
 from .buffer import Buffer
 from .buffer_interface import (
     BufferInterface,
+    ConvertRegistration,
     NotImplementedException,
     Stamped,
     TransformRegistration,
@@ -27,6 +28,7 @@ __all__ = [
     "BufferCore",
     "BufferInterface",
     "ConnectivityException",
+    "ConvertRegistration",
     "ExtrapolationException",
     "InvalidArgumentException",
     "LookupException",

@@ -1,0 +1,5 @@
+"""Transforms point clouds; importing it registers them with tf2_ros."""
+
+from .tf2_sensor_msgs import do_transform_cloud, from_msg_msg, to_msg_msg, transform_points
+
+__all__ = ["do_transform_cloud", "from_msg_msg", "to_msg_msg", "transform_points"]
