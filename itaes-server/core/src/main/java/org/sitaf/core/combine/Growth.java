@@ -1,11 +1,14 @@
 package org.sitaf.core.combine;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.combine.CoveringArray.TupleReport;
 import org.sitaf.core.combine.coverage.ColumnSets;
 import org.sitaf.core.combine.coverage.Coverage;
@@ -20,6 +23,9 @@ import org.sitaf.core.combine.search.Greedy;
 final class Growth {
   /** Number of candidates for each row. */
   private static final int TRIES = 10;
+
+  /** Number of preferred values that are tried for a row. */
+  private static final int PREFERRED_TRIES = 3;
 
   private final CombinationProblem problem;
   private final Symbols symbols;
@@ -51,8 +57,9 @@ final class Growth {
    *
    * @param limit maximum number of rows; more are returned only if more are needed
    * @param eachValue whether each possible value must occur
+   * @param preferred values of which every second row holds one, unless it would cover fewer tuples
    */
-  GrownArray grow(int limit, boolean eachValue, Progress progress) {
+  GrownArray grow(int limit, boolean eachValue, List<ParameterValue> preferred, Progress progress) {
     List<Row> rows = new ArrayList<>();
     List<Long> covered = new ArrayList<>();
     for (int[] values : problem.seeds()) {
@@ -77,9 +84,14 @@ final class Growth {
       }
     }
     int needed = rows.size();
+    Deque<ParameterValue> next = new ArrayDeque<>(preferred);
     while (rows.size() < limit && coverage.uncovered() > 0) {
       Interruption.check();
+      int before = coverage.uncovered();
       greedy.grow(rows, TRIES, rows.size() + 1);
+      if ((rows.size() - needed) % 2 == 1) {
+        preferNext(next, before - coverage.uncovered(), rows);
+      }
       covered.add(coverage.required() - coverage.uncovered());
       progress.report(rows.size(), (double) rows.size() / limit);
     }
@@ -89,6 +101,46 @@ final class Growth {
         covered.stream().mapToLong(Long::longValue).toArray(),
         report,
         List.of());
+  }
+
+  /**
+   * Replaces the last row by one with the next preferred value, if one covers as many tuples.
+   *
+   * @param gain number of tuples that only the last row covers
+   */
+  private void preferNext(Deque<ParameterValue> values, int gain, List<Row> rows) {
+    Row last = rows.get(rows.size() - 1);
+    coverage.remove(last);
+    for (int left = Math.min(values.size(), PREFERRED_TRIES); left > 0; left--) {
+      ParameterValue value = values.removeFirst();
+      Row row = holding(value, gain);
+      values.addLast(value);
+      if (row != null) {
+        coverage.add(row);
+        rows.set(rows.size() - 1, row);
+        return;
+      }
+    }
+    coverage.add(last);
+  }
+
+  /** A row with a value that covers at least so many tuples, some of them with this value. */
+  private @Nullable Row holding(ParameterValue value, int gain) {
+    for (int i = 0; i < TRIES; i++) {
+      Row partial = new Row(symbols);
+      partial.set(value.parameter(), value.value());
+      Row row = greedy.fill(partial);
+      if (row != null && coverage.gain(row, value.parameter(), value.value()) > 0) {
+        int before = coverage.uncovered();
+        coverage.add(row);
+        int covered = before - coverage.uncovered();
+        coverage.remove(row);
+        if (covered >= gain) {
+          return row;
+        }
+      }
+    }
+    return null;
   }
 
   private void add(Row row, List<Row> rows, List<Long> covered) {

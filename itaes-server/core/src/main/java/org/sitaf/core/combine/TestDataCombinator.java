@@ -61,12 +61,18 @@ public final class TestDataCombinator {
    *
    * @param limit maximum number of rows; more are returned only if more are needed
    * @param eachValue whether each possible value must occur
+   * @param preferred values of which every second row holds one, unless it would cover fewer tuples
    * @throws TooManyCombinationsException if there are more than {@link #MAX_TUPLES} tuples
    * @throws WideConstraintException if a constraint relates too many combinations of values
    * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public GrownArray grow(
-      CombinationProblem problem, int limit, boolean eachValue, long seed, Progress progress) {
+      CombinationProblem problem,
+      int limit,
+      boolean eachValue,
+      List<ParameterValue> preferred,
+      long seed,
+      Progress progress) {
     Symbols symbols = new Symbols(problem.levels());
     ColumnSets sets = new ColumnSets(symbols, problem.interactions());
     checkSize(symbols, sets, false);
@@ -74,7 +80,7 @@ public final class TestDataCombinator {
     List<Integer> rejected = rejectedSeeds(problem, symbols, feasibility);
     GrownArray grown =
         new Growth(without(rejected, problem), symbols, sets.list(), feasibility, seed)
-            .grow(limit, eachValue, progress);
+            .grow(limit, eachValue, preferred, progress);
     return new GrownArray(grown.rows(), grown.needed(), grown.covered(), grown.tuples(), rejected);
   }
 

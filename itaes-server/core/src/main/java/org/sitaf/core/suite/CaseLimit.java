@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.sitaf.core.combine.CombinationProblem;
 import org.sitaf.core.combine.GrownArray;
 import org.sitaf.core.combine.Interruption;
+import org.sitaf.core.combine.ParameterValue;
 import org.sitaf.core.combine.Progress;
 import org.sitaf.core.combine.TestDataCombinator;
 import org.sitaf.core.diagnostic.Diagnostic;
@@ -90,6 +91,7 @@ final class CaseLimit {
       Interruption.check();
       Grown best = null;
       for (Grown grown : all) {
+        grown.extend(most - rows.size());
         if (grown.hasNext() && (best == null || grown.nextGain() > best.nextGain())) {
           best = grown;
         }
@@ -143,22 +145,55 @@ final class CaseLimit {
   private final class Grown {
     private final CasePart part;
     private final CombinationProblem problem;
-    private final GrownArray array;
-    private final int[][] rows;
-    private final long[] covered;
+    private GrownArray array;
+    private int[][] rows;
+    private long[] covered;
     private int taken;
 
     Grown(CasePart part) {
       this.part = part;
       this.problem = problems.problem(part);
-      this.array =
-          new TestDataCombinator()
-              .grow(problem, part.single() ? 1 : most, part.held() < 0, seed, progress);
+      this.array = grow(part.single() ? 1 : most);
       this.rows = array.rows();
       this.covered = array.covered();
       for (int rejected : array.rejectedSeeds()) {
         kept.reportDropped(problem.seeds().get(rejected), part.candidates());
       }
+    }
+
+    private GrownArray grow(int limit) {
+      return new TestDataCombinator()
+          .grow(problem, limit, part.held() < 0, related(), seed, progress);
+    }
+
+    /**
+     * Values that follow another input. Only few of all tuples hold inputs that are nearly equal,
+     * and much code breaks only there.
+     */
+    private List<ParameterValue> related() {
+      List<ParameterValue> all = new ArrayList<>();
+      for (int p = 0; p < part.candidates().size(); p++) {
+        List<TestValue> values = part.candidates().get(p);
+        for (int v = 0; v < values.size() && values.size() > 1; v++) {
+          if (values.get(v).relation() != null) {
+            all.add(new ParameterValue(p, v));
+          }
+        }
+      }
+      return all;
+    }
+
+    /**
+     * Adds rows if all were taken and tuples are left, because some rows were equal to others. More
+     * rows begin with the same ones.
+     */
+    void extend(int more) {
+      if (hasNext() || part.single() || covered() == required()) {
+        return;
+      }
+      array = grow(rows.length + Math.max(more, rows.length));
+      rows = array.rows();
+      covered = array.covered();
     }
 
     boolean hasNext() {

@@ -3,7 +3,9 @@ package org.sitaf.core.suite;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
@@ -108,5 +110,38 @@ class CaseLimitTest {
     assertThat(suite.cases()).hasSize(40);
     // 125 triples of valid values, and 25 pairs for each of six invalid values.
     assertThat(suite.generation().tuples()).isEqualTo(new Generation.Tuples(40, 275));
+  }
+
+  /** Of all pairs, only 3 in 43 are nearly equal. */
+  @Test
+  void nearlyEqualInputsAreNotLostAmongOtherCombinations() {
+    TestModel model =
+        TestModelXml.read(
+            new ByteArrayInputStream(
+                """
+                <test_model><name>Near</name><target interface="I" method="Near"/><input_spec_list>
+                <test_element abstract_type="NUMERIC" real_type="double"><name>a</name><type>TDI</type>
+                  <test_spec type="RANDOM" count="40" min="0" max="1"/></test_element>
+                <test_element abstract_type="NUMERIC" real_type="double"><name>b</name><type>TDI</type>
+                  <test_spec type="RANDOM" count="40" min="0" max="1"/>
+                  <test_spec type="RELATED" to="a" offsets="0 1e-300 1e-9"/></test_element>
+                </input_spec_list><output_spec_list/><order_of_combinations>2</order_of_combinations>
+                <max_cases>100</max_cases></test_model>
+                """
+                    .getBytes(StandardCharsets.UTF_8)),
+            "Near.xml");
+    List<TestCase> cases =
+        TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite().cases();
+    // Pairs that are equal after 1e-300 was added are made once, and others take their place.
+    assertThat(cases).hasSize(100);
+    assertThat(cases.stream().map(TestCase::values)).doesNotHaveDuplicates();
+    assertThat(cases)
+        .filteredOn(
+            c ->
+                Math.abs(
+                        Double.parseDouble(c.values().get(0))
+                            - Double.parseDouble(c.values().get(1)))
+                    <= 1.1e-9)
+        .hasSizeGreaterThan(25);
   }
 }
