@@ -104,11 +104,20 @@ public final class CaseScope {
       }
     }
     Map<String, Type> members = new LinkedHashMap<>(outputs.map());
+    if (!hasReturn(model)) {
+      members.putIfAbsent(Relations.VALUE, Type.ANY);
+    }
     members.put(Variables.ERROR, Type.TEXT);
     Map<String, Type> variables = new LinkedHashMap<>(inputs(model));
     variables.put(Relations.BEFORE, new Type.Members("", members));
     variables.put(Relations.AFTER, new Type.Members("", members));
     return scope(model, variables);
+  }
+
+  /** Whether the model declares the return value or members of it. */
+  private static boolean hasReturn(TestModel model) {
+    return model.outputs().stream()
+        .anyMatch(o -> MemberPath.root(o.name()).equals(OutputElement.RETURN_NAME));
   }
 
   /** The path of an output in the map of a run: {@code return.x} is {@code value.x} there. */

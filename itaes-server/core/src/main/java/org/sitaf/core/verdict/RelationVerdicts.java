@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.BiPredicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.sitaf.core.description.DataType;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.OutputElement;
@@ -210,6 +211,11 @@ final class RelationVerdicts {
           model.outputs().stream().filter(o -> o.name().equals(actual.output())).findFirst();
       if (output.isPresent() && !output.get().type().isVoid()) {
         variables.put(CaseScope.inRun(output.get().name()), actual.literal(), output.get().type());
+      } else if (output.isEmpty()
+          && (actual.output().isEmpty() || actual.output().equals(OutputElement.RETURN_NAME))) {
+        // The return value is recorded even if the model does not declare it.
+        variables.put(
+            Relations.VALUE, (Object) Variables.plain(actual.literal(), new DataType.Unknown("")));
       }
     }
     variables.put(Variables.ERROR, (Object) record.thrown());

@@ -30,7 +30,7 @@ class RelationVerdictsTest {
             <user_value_list><value>1.0</value><value>90.0</value></user_value_list></test_element>
         </input_spec_list>
         <output_spec_list>
-          <test_element abstract_type="NUMERIC" real_type="double"><name>return</name><type>RETURN</type>%s</test_element>
+          %s
         </output_spec_list>
         <relation_list>
           <relation name="further">
@@ -47,8 +47,16 @@ class RelationVerdictsTest {
   private String holds = INCREASES;
   private String expected = "";
 
+  /** Whether the model declares the return value. */
+  private boolean declared = true;
+
   private TestModel model() {
-    String xml = MODEL.formatted(expected, holds);
+    String output =
+        """
+        <test_element abstract_type="NUMERIC" real_type="double"><name>return</name><type>RETURN</type>%s</test_element>
+        """
+            .formatted(expected);
+    String xml = MODEL.formatted(declared ? output : "", holds);
     return TestModelXml.read(
         new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "Turn.xml");
   }
@@ -88,6 +96,15 @@ class RelationVerdictsTest {
 
   private CaseResult first(CaseRecord first, CaseRecord second) {
     return judged(first, List.of(second), "").cases().get(0);
+  }
+
+  @Test
+  void aReturnValueThatTheModelDoesNotDeclareIsCompared() {
+    declared = false;
+    assertThat(first(returned(1, "1.0"), returned(1, "21.0")).verdict()).isEqualTo(Verdict.PASS);
+    CaseResult broken = first(returned(1, "1.0"), returned(1, "0.5"));
+    assertThat(broken.verdict()).isEqualTo(Verdict.FAIL);
+    assertThat(broken.message()).contains("0.5 > 1.0");
   }
 
   @Test
