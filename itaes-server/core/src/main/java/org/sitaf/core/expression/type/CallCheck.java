@@ -6,6 +6,7 @@ import dev.cel.common.ast.CelExpr.CelCall;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -230,15 +231,14 @@ final class CallCheck {
     if (name.equals("size")) {
       return sized(check.text(call.target().orElseThrow()), of);
     }
-    if (!isText(of) || !isText(types.get(1))) {
-      return check.error(
-          name
-              + " needs two strings, not "
-              + TypeCheck.a(of)
-              + " and "
-              + TypeCheck.a(types.get(1)));
-    }
-    return Type.BOOLEAN;
+    return strings(name, of, types.get(1));
+  }
+
+  private Type strings(String name, Type a, Type b) {
+    return isText(a) && isText(b)
+        ? Type.BOOLEAN
+        : check.error(
+            name + " needs two strings, not " + TypeCheck.a(a) + " and " + TypeCheck.a(b));
   }
 
   private Type sized(String what, Type type) {
@@ -259,6 +259,9 @@ final class CallCheck {
       int wanted = name.equals("matches") ? 2 : 1;
       if (types.size() != wanted) {
         return check.error(name + " takes " + wanted + " arguments, not " + types.size());
+      }
+      if (name.equals("matches")) {
+        return strings(name, types.get(0), types.get(1));
       }
       return name.equals("size") ? sized(check.text(call.args().get(0)), types.get(0)) : standard;
     }
@@ -306,7 +309,36 @@ final class CallCheck {
             + TypeCheck.a(types.get(i));
       }
     }
-    return null;
+    if (signature.name().equals("near") && Type.join(types.get(0), types.get(1)) == null) {
+      return "near never holds for "
+          + TypeCheck.a(types.get(0))
+          + " and "
+          + TypeCheck.a(types.get(1));
+    }
+    return call.args().stream()
+        .flatMap(argument -> numbersOnly(signature, argument).stream())
+        .findFirst()
+        .orElse(null);
+  }
+
+  /** What is wrong with a written list, such as {@code [a, "x"]}, where only numbers fit. */
+  private Optional<String> numbersOnly(Signature signature, CelExpr argument) {
+    boolean isNumbers =
+        signature.parameters().stream()
+            .allMatch(k -> k == Signature.Kind.LIST || k == Signature.Kind.VECTOR);
+    if (!isNumbers || argument.getKind() != CelExpr.ExprKind.Kind.LIST) {
+      return Optional.empty();
+    }
+    return argument.list().elements().stream()
+        .filter(element -> !check.typeOf(element).mayBeNumber())
+        .findFirst()
+        .map(
+            element ->
+                signature.name()
+                    + " needs numbers, but '"
+                    + check.text(element)
+                    + "' is "
+                    + TypeCheck.a(check.typeOf(element)));
   }
 
   private static Type result(Signature signature, List<Type> types) {

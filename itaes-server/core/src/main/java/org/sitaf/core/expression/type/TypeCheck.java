@@ -135,10 +135,11 @@ public final class TypeCheck {
       }
     }
     Type operand = visit(select.operand());
-    if (select.testOnly()) {
+    if (select.testOnly() && operand instanceof Type.Members) {
       return Type.BOOLEAN;
     }
-    return member(operand, select.field(), select.operand());
+    Type member = member(operand, select.field(), select.operand());
+    return select.testOnly() ? Type.BOOLEAN : member;
   }
 
   Type member(Type operand, String field, CelExpr of) {
