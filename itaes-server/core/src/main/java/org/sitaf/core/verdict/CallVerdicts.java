@@ -127,6 +127,7 @@ final class CallVerdicts {
    */
   CaseResult withPostConditions(CaseResult result, Supplier<Map<String, Object>> variables) {
     CaseResult judged = result;
+    Map<String, Object> values = null;
     for (int i = 0; i < postConditions.size(); i++) {
       Expression condition = postConditions.get(i);
       Condition written = model.postConditions().get(i);
@@ -149,7 +150,9 @@ final class CallVerdicts {
         continue;
       }
       try {
-        Map<String, Object> values = variables.get();
+        if (values == null) {
+          values = variables.get();
+        }
         if (!condition.isTrue(values)) {
           String compared = condition.explain(values);
           judged =
