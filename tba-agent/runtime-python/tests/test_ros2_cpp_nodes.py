@@ -174,3 +174,62 @@ def test_a_node_uses_filters_diagnostics_and_point_clouds_as_in_ros(tmp_path):
     levels = [[(s["name"], s["level"], s["message"]) for s in one["status"]] for one in diagnostics]
     assert levels[0] == [("probe: odom topic status", 0, "Node starting up")]
     assert levels[-1][0][1:] == (0, "Desired frequency met; Timestamps are reasonable.")
+
+
+KEYBOARD = r"""
+#include <sys/select.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("keyboard");
+  auto publisher = node->create_publisher<std_msgs::msg::String>("keys", 10);
+  const auto say = [&](const std::string & text) {
+      std_msgs::msg::String message;
+      message.data = text;
+      publisher->publish(message);
+    };
+  std::string name;
+  std::getline(std::cin, name);
+  say("name " + name);
+  char line[20];
+  say(std::string("line ") + (std::fgets(line, sizeof line, stdin) ? line : "none"));
+  termios raw;
+  if (tcgetattr(fileno(stdin), &raw) < 0) {
+    throw std::runtime_error("Failed to get terminal settings");
+  }
+  raw.c_lflag &= ~(ICANON | ECHO);
+  tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+  char key = 0;
+  say(read(0, &key, 1) == 1 ? std::string("key ") + key : "no key");
+  read(0, &key, 1);
+  fd_set reads;
+  FD_ZERO(&reads);
+  FD_SET(0, &reads);
+  timeval timeout{0, 500000};
+  say("select " + std::to_string(select(1, &reads, nullptr, nullptr, &timeout)));
+  read(0, &key, 1);
+  say("never");
+  return 0;
+}
+"""
+
+
+def test_a_terminal_gives_the_lines_of_the_case(tmp_path):
+    def script(case):
+        got = case.heard("/keys", STRING)
+        case.run(2)
+        return got
+
+    got = node(tmp_path, KEYBOARD, script, entry="probe.cpp", stdin=["Ada", "two", "w"])
+    assert [text for _, text in got] == ["name Ada", "line two\n", "key w", "select 0"]
+    assert [time for time, _ in got] == pytest.approx([0, 0, 0, 0.5])

@@ -7,6 +7,7 @@
 #include "case.hpp"
 #include "kernel.hpp"
 #include "sitaf_ros/entry.hpp"
+#include "terminal.hpp"
 
 using sitaf_ros::Case;
 using sitaf_ros::Event;
@@ -72,11 +73,17 @@ void sitaf_ros_set(const char * what, const char * name, const char * value)
     settings.callback_order = std::stoll(value);
   } else if (kind == "use_sim_time") {
     settings.use_sim_time = std::string(value) == "1";
+  } else if (kind == "stdin") {
+    sitaf_ros::add_input(value);
   }
 }
 
 /// Makes the main thread of the node ready.
-void sitaf_ros_begin() {kernel::start("main", sitaf_ros::run_entry);}
+void sitaf_ros_begin()
+{
+  sitaf_ros::begin_input();
+  kernel::start("main", sitaf_ros::run_entry);
+}
 void sitaf_ros_run_ready() {kernel::run_ready();}
 std::int64_t sitaf_ros_next_deadline() {return kernel::next_deadline();}
 void sitaf_ros_set_now(std::int64_t time) {kernel::set_now(time);}

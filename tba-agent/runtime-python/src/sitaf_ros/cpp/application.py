@@ -75,20 +75,13 @@ class CppSystem(RosSystem):
         self.overrides = Overrides(settings)
         self.threads: Any = CppThreads(library, self._take_events)
         self.graph: Any = CppGraph(library, application.classes)
-        self._put_input(settings.stdin)
+        for line in settings.stdin:
+            library.set("stdin", "", line)
         for source, target in settings.remap.items():
             library.set("remap", source, target)
         library.set("callback_order", "", str(settings.callback_order))
         library.set("use_sim_time", "", "1" if settings.use_sim_time else "0")
         library.begin()
-
-    @staticmethod
-    def _put_input(lines: Iterable[str]) -> None:
-        """Make the lines of the case the standard input."""
-        read, write = os.pipe()
-        os.write(write, "".join(f"{line}\n" for line in lines).encode()[:65_536])
-        os.close(write)
-        os.dup2(read, 0)
 
     def _take_events(self) -> bool:
         """Take what the nodes did; return whether a node may go on."""

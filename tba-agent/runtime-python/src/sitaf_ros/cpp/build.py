@@ -27,7 +27,8 @@ LIBRARY = "libnode.so"
 _OPTIONS = ["-O1", "-g1", "-fPIC", "-pthread", "-fdiagnostics-color=never", "-fno-diagnostics-show-caret"]
 _STANDARD = "-std=c++17"
 _ERROR = re.compile(r"^(?P<file>[^:\n]+):(?P<line>\d+):(?P<column>\d+): (?:fatal )?error: (?P<text>.*)$", re.M)
-# What the linker replaces in the node: see `wrapped.cpp`.
+# What the linker replaces in the node.
+_WRAPPING = ("wrapped.cpp", "terminal.cpp")
 _WRAPPED = re.compile(r"\b__wrap_(\w+)\(")
 _PARALLEL = 2
 
@@ -160,7 +161,8 @@ class Build:
         return flags, ""
 
     def _link(self, objects: list[Path], flags: dict[str, list[str]]) -> int:
-        names = sorted(set(_WRAPPED.findall((self._api / "src" / "wrapped.cpp").read_text(encoding="utf-8"))))
+        texts = [(self._api / "src" / file).read_text(encoding="utf-8") for file in _WRAPPING]
+        names = sorted(set(_WRAPPED.findall("".join(texts))))
         runtime = sorted(self._runtime.glob("*.o"))
         library = self._into / LIBRARY
         command = [self._compiler, "-shared", "-pthread", "-Wl,--no-undefined", "-Wl,-Bsymbolic"]
