@@ -351,6 +351,11 @@ public final class LocalBuilds implements AutoCloseable {
     }
 
     @Override
+    public void progress(String text) {
+      progress.step(model + ": " + text);
+    }
+
+    @Override
     public void log(byte[] utf8) {
       // The output of a component is not printed; error messages contain its last line.
     }

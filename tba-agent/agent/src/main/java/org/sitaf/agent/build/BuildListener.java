@@ -12,6 +12,11 @@ public interface BuildListener {
   /** The build entered a stage. */
   void stage(BuildStage stage);
 
+  /** A stage that takes long does something, for people. */
+  default void progress(String text) {
+    // Only commands show it at once; the log contains it, too.
+  }
+
   /** The build's log grew by these bytes of UTF-8. */
   void log(byte[] utf8);
 

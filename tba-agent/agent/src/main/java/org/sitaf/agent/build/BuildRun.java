@@ -213,7 +213,13 @@ public final class BuildRun {
             settings.debugging() != null,
             settings.sandbox());
     Compilation compilation =
-        compiler.begin(application, applicationDirectory(), directory.resolve("compilation"));
+        compiler
+            .begin(application, applicationDirectory(), directory.resolve("compilation"))
+            .reporting(
+                text -> {
+                  log.remark(text);
+                  listener.progress(text);
+                });
     try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
       CompiledApplication compiled = compiler.compile(compilation);
 

@@ -82,6 +82,7 @@ public record TestApplicationCompiler(
   public CompiledApplication compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
     TestApplication application = compilation.application();
+    toolchain.prepare(compilation);
     CompileCache compiled = new CompileCache(new SharedCache(cache), CACHE_BYTES);
     String key = CompileKey.of(application, toolchain, coverage, debugging);
     CompileCache.Check check = folder -> toolchain.isCurrent(compilation, folder);

@@ -3,6 +3,7 @@ package org.sitaf.agent.toolchain;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Objects;
+import java.util.function.Consumer;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.core.harness.TestApplication;
 
@@ -19,6 +20,7 @@ import org.sitaf.core.harness.TestApplication;
  * @param coverage whether processes record which lines of the component they execute
  * @param debugging whether the code is compiled for a debugger: without optimization
  * @param sandbox in which tools run
+ * @param progress receives what a long compilation does, for people; called from any thread
  */
 public record Compilation(
     TestApplication application,
@@ -28,7 +30,8 @@ public record Compilation(
     Duration atMost,
     boolean coverage,
     boolean debugging,
-    Sandbox sandbox) {
+    Sandbox sandbox,
+    Consumer<String> progress) {
   public Compilation {
     Objects.requireNonNull(application);
     Objects.requireNonNull(sources);
@@ -36,6 +39,29 @@ public record Compilation(
     Objects.requireNonNull(scratch);
     Objects.requireNonNull(atMost);
     Objects.requireNonNull(sandbox);
+    Objects.requireNonNull(progress);
+  }
+
+  /** A compilation whose progress nobody follows. */
+  public Compilation(
+      TestApplication application,
+      Path sources,
+      Path output,
+      Path scratch,
+      Duration atMost,
+      boolean coverage,
+      boolean debugging,
+      Sandbox sandbox) {
+    this(
+        application,
+        sources,
+        output,
+        scratch,
+        atMost,
+        coverage,
+        debugging,
+        sandbox,
+        progress -> {});
   }
 
   /** A compilation that is not for a debugger. */
@@ -48,6 +74,12 @@ public record Compilation(
       boolean coverage,
       Sandbox sandbox) {
     this(application, sources, output, scratch, atMost, coverage, false, sandbox);
+  }
+
+  /** The same compilation with a listener for its progress. */
+  public Compilation reporting(Consumer<String> listener) {
+    return new Compilation(
+        application, sources, output, scratch, atMost, coverage, debugging, sandbox, listener);
   }
 
   /** The folder of the user's activity. */

@@ -30,6 +30,12 @@ public interface Toolchain {
     return Optional.empty();
   }
 
+  /**
+   * Makes what this machine needs once before {@link #identity} is known, and reports that to the
+   * compilation's listener.
+   */
+  default void prepare(Compilation compilation) throws IOException, InterruptedException {}
+
   /** Starts a process ahead for the next compilation; it runs no code of users. */
   default void startAhead(Sandbox sandbox) throws IOException, InterruptedException {}
 

@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
@@ -27,6 +28,7 @@ import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.spool.Folders;
+import org.sitaf.agent.toolchain.OneTimeCompilation;
 import org.sitaf.agent.toolchain.cpp.inputs.DependencyFile;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
@@ -100,7 +102,16 @@ final class CppRuntime {
   }
 
   /** The compiled runtime; compiles it if necessary. */
-  synchronized Built build() throws IOException, InterruptedException {
+  Built build() throws IOException, InterruptedException {
+    return build(text -> {});
+  }
+
+  /**
+   * The compiled runtime; compiles it if necessary.
+   *
+   * @param progress receives how far a compilation is
+   */
+  synchronized Built build(Consumer<String> progress) throws IOException, InterruptedException {
     Built last = built;
     // A build calls this several times.
     if (last != null && System.nanoTime() - builtNanos < REUSE_PERIOD.toNanos()) {
@@ -117,7 +128,7 @@ final class CppRuntime {
           FileLock lock = channel.lock()) {
         folder = current(base);
         if (lock.isValid() && folder == null) {
-          folder = add(base);
+          folder = add(base, progress);
           deleteOthers(folder);
         }
       }
@@ -155,10 +166,11 @@ final class CppRuntime {
     return digest.hexadecimal();
   }
 
-  private Path add(String base) throws IOException, InterruptedException {
+  private Path add(String base, Consumer<String> progress)
+      throws IOException, InterruptedException {
     Path fresh = cache.resolve("new");
     Folders.delete(fresh);
-    Inputs inputs = compile(fresh);
+    Inputs inputs = compile(fresh, progress);
     Path folder = cache.resolve(name(base, inputs));
     if (!Files.isDirectory(folder)) {
       Files.move(fresh, folder, StandardCopyOption.ATOMIC_MOVE);
@@ -173,7 +185,8 @@ final class CppRuntime {
   }
 
   /** Compiles the runtime and returns the inputs of this machine. */
-  private Inputs compile(Path fresh) throws IOException, InterruptedException {
+  private Inputs compile(Path fresh, Consumer<String> progress)
+      throws IOException, InterruptedException {
     long startMillis = System.currentTimeMillis();
     Path generated = Files.createDirectories(fresh.resolve("generated"));
     Path objects = Files.createDirectories(fresh.resolve("objects"));
@@ -211,7 +224,12 @@ final class CppRuntime {
     header.addAll(List.of("-o", precompiled.toString()));
     header.addAll(dependencyOptions(objects, commands.size()));
     commands.add(header);
-    List<ToolResult> ends = Parallel.run(commands, command -> end(fresh, command));
+    List<ToolResult> ends;
+    try (OneTimeCompilation reported =
+        OneTimeCompilation.of(
+            progress, "the runtime of C++ test applications", fresh, commands.size())) {
+      ends = Parallel.run(commands, command -> end(fresh, command));
+    }
     for (int i = 0; i < ends.size(); i++) {
       require(ends.get(i), String.join(" ", commands.get(i)));
     }

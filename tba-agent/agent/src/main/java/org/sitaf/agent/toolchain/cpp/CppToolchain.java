@@ -123,6 +123,11 @@ public final class CppToolchain implements Toolchain {
   }
 
   @Override
+  public void prepare(Compilation compilation) throws IOException, InterruptedException {
+    runtime.build(compilation.progress());
+  }
+
+  @Override
   public boolean isCurrent(Compilation compilation, Path compiled) throws IOException {
     return Linking.isCurrent(compilation, compiled);
   }

@@ -22,6 +22,7 @@ import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.OneTimeCompilation;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.activity.ros.RosNode;
@@ -214,11 +215,23 @@ final class CppNodes {
     add(arguments, "--api", api);
     add(arguments, "--interfaces", interfaces);
     add(arguments, "--into", into);
-    ToolResult end =
-        run(compilation, environment, arguments, into, readable, List.of(into), RUNTIME_AT_MOST);
+    ToolResult end;
+    try (OneTimeCompilation reported =
+        OneTimeCompilation.of(
+            compilation.progress(), "the runtime of C++ nodes", into, runtimeFiles())) {
+      end =
+          run(compilation, environment, arguments, into, readable, List.of(into), RUNTIME_AT_MOST);
+    }
     if (end.code() != 0 || end.timedOut()) {
       throw new IOException(
           "the runtime of C++ nodes does not compile here: " + end.output() + end.errors());
+    }
+  }
+
+  /** How many files the compiler makes of it: an object for each source, and its header. */
+  private int runtimeFiles() throws IOException {
+    try (Stream<Path> sources = Files.list(api.resolve("src"))) {
+      return (int) sources.filter(file -> file.toString().endsWith(".cpp")).count() + 1;
     }
   }
 
