@@ -30,7 +30,8 @@ final class ProtoSyntax {
       return Optional.empty();
     }
     try {
-      return Optional.of(ProtoParser.Companion.parse(Location.get("", PLACE), text));
+      return Optional.of(
+          ProtoParser.Companion.parse(Location.get("", PLACE), ProtoEdition.asProto3(text)));
     } catch (RuntimeException e) {
       // Wire reports syntax errors as IllegalStateException; hostile text can also cause other
       // exceptions, such as NumberFormatException.

@@ -13,6 +13,13 @@ import org.sitaf.core.description.source.Place;
 
 /** Types of ROS 2. A message becomes a struct named {@code package/Message}. */
 final class RosTypes {
+  /** Types that ROS 1 knows without a package, and what replaces them. */
+  private static final Map<String, String> ONLY_IN_ROS_1 =
+      Map.of(
+          "time", "builtin_interfaces/Time",
+          "duration", "builtin_interfaces/Duration",
+          "Header", "std_msgs/Header");
+
   private static final Pattern TYPE =
       Pattern.compile("([A-Za-z][\\w/]{0,300})(?:<=([0-9]{1,9}))?(\\[(?:(<=)?([0-9]{1,9}))?\\])?");
 
@@ -111,9 +118,17 @@ final class RosTypes {
     String qualified = plain.contains("/") || own.isEmpty() ? plain : own + "/" + plain;
     DataType found = declared.find(qualified).orElse(new DataType.Unknown(qualified));
     if (found instanceof DataType.Unknown) {
-      findings.unknownType(place, qualified, declared.reason(qualified));
+      findings.unknownType(place, qualified, reason(name, qualified));
     }
     return found;
+  }
+
+  /** Why a type is unknown: it cannot be represented, or only ROS 1 has it; empty otherwise. */
+  private String reason(String written, String qualified) {
+    String inRos2 = ONLY_IN_ROS_1.get(written);
+    return inRos2 == null
+        ? declared.reason(qualified)
+        : "this is a file of ROS 1; in ROS 2, '" + written + "' is '" + inRos2 + "'";
   }
 
   private int length(String digits, Place place) {

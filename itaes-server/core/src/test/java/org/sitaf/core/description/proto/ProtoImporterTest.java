@@ -53,6 +53,62 @@ class ProtoImporterTest {
   }
 
   @Test
+  void readsEdition2023() {
+    ImportResult result =
+        InterfaceText.read(
+            "a.proto",
+            """
+            edition = "2023"; // like 'syntax'
+            package p;
+            option features.field_presence = IMPLICIT;
+            message Request {
+              int32 a = 1 [features.field_presence = EXPLICIT, default = 3];
+              repeated int32 xs = 2 [features.repeated_field_encoding = EXPANDED];
+              Mode mode = 3;
+              reserved foo, bar;
+              reserved 10 to 20, 100 to max;
+            }
+            enum Mode { option features.enum_type = CLOSED; A = 1; B = 2; reserved C; }
+            service S { rpc Do(Request) returns (Request); }
+            """);
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    assertThat(InterfaceText.prototypes(result.provided().get(0)))
+        .containsExactly("p.Request Do(IN p.Request request)");
+    assertThat(result.types())
+        .filteredOn(t -> t.typeName().equals("p.Request"))
+        .flatExtracting(t -> ((DataType.Struct) t).members())
+        .extracting(m -> m.type().typeName())
+        .containsExactly("int32", "sequence<int32>", "p.Mode");
+  }
+
+  @Test
+  void readsEdition2024() {
+    ImportResult result =
+        InterfaceText.read(
+            "a.proto",
+            """
+            edition = "2024";
+            package p;
+            import option "google/protobuf/descriptor.proto";
+            option features.default_symbol_visibility = EXPORT_TOP_LEVEL;
+            local message Inner { int32 export = 1; }
+            export message Request { Inner inner = 1; export enum Local { ZERO = 0; } Local local = 2; }
+            service S { rpc Do(Request) returns (Request); }
+            """);
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    assertThat(result.types())
+        .extracting(DataType::typeName)
+        .containsExactlyInAnyOrder("p.Inner", "p.Request", "p.Request.Local");
+  }
+
+  @Test
+  void namesTheEditionsThatItReads() {
+    ImportResult result = InterfaceText.read("a.proto", "edition = \"2030\";\nmessage M {}\n");
+    assertThat(InterfaceText.lines(result))
+        .anyMatch(line -> line.contains("the edition 2030 is not supported; 2023 and 2024 are"));
+  }
+
+  @Test
   void streamsAreSequencesOfNonblockingMethods() {
     ImportResult result =
         read(

@@ -11,6 +11,18 @@ import org.sitaf.core.description.importer.InterfaceText;
 import org.sitaf.core.description.source.ImportResult;
 
 class RosImporterTest {
+  @Test
+  void aFileOfRos1SaysSo() {
+    ImportResult result =
+        InterfaceText.read(Map.of("p/srv/Get.srv", "Header h\ntime t\n---\n"), "p/srv/Get.srv");
+    assertThat(InterfaceText.lines(result))
+        .containsExactly(
+            "p/srv/Get.srv:1: warning: field h: type 'p/Header' is not supported: this is a file of ROS 1; in ROS 2,"
+                + " 'Header' is 'std_msgs/Header'",
+            "p/srv/Get.srv:2: warning: field t: type 'p/time' is not supported: this is a file of ROS 1; in ROS 2,"
+                + " 'time' is 'builtin_interfaces/Time'");
+  }
+
   @ParameterizedTest
   @CsvSource({
     "bool,boolean",
