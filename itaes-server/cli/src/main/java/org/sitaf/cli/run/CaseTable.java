@@ -130,20 +130,8 @@ public final class CaseTable {
    */
   int print(FailureGroup group, int maxRows, PrintWriter out) {
     int count = group.cases().size();
-    String numbers =
-        maxRows > 0
-            ? ""
-            : group.cases().stream()
-                .limit(MAX_WIDTH)
-                .map(c -> Integer.toString(c.no()))
-                .collect(Collectors.joining(", ", " (", count > MAX_WIDTH ? ", ...)" : ")"));
     out.println(
-        group.verdict()
-            + " in "
-            + count
-            + (count == 1 ? " case" : " cases")
-            + numbers
-            + (group.isUniform() ? "" : "; case " + group.cases().get(0).no())
+        group.title(maxRows == 0)
             + (group.message().isEmpty() ? "" : ": " + Printable.lines(group.message(), "    ")));
     List<CaseResult> shown = group.cases().subList(0, Math.min(count, maxRows));
     if (!shown.isEmpty()) {

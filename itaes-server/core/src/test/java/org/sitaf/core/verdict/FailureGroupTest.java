@@ -44,4 +44,22 @@ class FailureGroupTest {
     assertThat(groups).hasSize(4);
     assertThat(groups.get(0).message()).isEqualTo("ir1.range is 3");
   }
+
+  @Test
+  void exceptionsOfOneTypeFromOnePlaceAreOneGroup() {
+    List<FailureGroup> groups =
+        FailureGroup.of(
+            List.of(
+                result(1, Verdict.ERROR, "robot.NoEcho: 'left' at robot.Ir.read(Ir.java:12)"),
+                result(2, Verdict.ERROR, "robot.NoEcho: 'right' at robot.Ir.read(Ir.java:12)"),
+                result(3, Verdict.ERROR, "robot.NoEcho: 'left' at robot.Ir.read(Ir.java:14)"),
+                result(4, Verdict.ERROR, "robot.Lost: 'left' at robot.Ir.read(Ir.java:12)"),
+                result(5, Verdict.ERROR, "KeyError: 'a' at read (ir.py:3), start (ir.py:9)"),
+                result(6, Verdict.ERROR, "KeyError: 'b' at read (ir.py:3), start (ir.py:9)"),
+                result(7, Verdict.FAIL, "robot.NoEcho: 'left' at robot.Ir.read(Ir.java:12)")));
+
+    assertThat(groups)
+        .extracting(g -> g.cases().stream().map(CaseResult::no).toList())
+        .containsExactly(List.of(1, 2), List.of(3), List.of(4), List.of(5, 6), List.of(7));
+  }
 }

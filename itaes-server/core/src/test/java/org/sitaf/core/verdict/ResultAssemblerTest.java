@@ -197,7 +197,8 @@ class ResultAssemblerTest {
     assertThat(out.toString(StandardCharsets.UTF_8))
         .contains("tests=\"3\" failures=\"0\" errors=\"0\" skipped=\"2\"")
         .contains("name=\"1: n=0\"")
-        .contains("<skipped message=\"stopped\">");
+        .contains("<skipped message=\"stopped\">")
+        .containsOnlyOnce("<system-out>DONT in 2 cases (2, 3): stopped</system-out>");
   }
 
   @Test

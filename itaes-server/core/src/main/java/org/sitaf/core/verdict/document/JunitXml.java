@@ -9,6 +9,7 @@ import javax.xml.stream.XMLOutputFactory;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.FailureGroup;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.StepResult;
 import org.sitaf.core.verdict.Summary;
@@ -66,7 +67,20 @@ public final class JunitXml {
     if (result.isSuspect()) {
       writeSuspectError(activity, result, xml);
     }
+    writeGroups(FailureGroup.of(result.cases()), xml);
     xml.writeCharacters("\n  ");
+    xml.writeEndElement();
+  }
+
+  /** The groups of the cases that did not pass, as one output of the suite: a line for each. */
+  private static void writeGroups(List<FailureGroup> groups, XMLStreamWriter xml)
+      throws XMLStreamException {
+    if (groups.isEmpty()) {
+      return;
+    }
+    xml.writeCharacters("\n    ");
+    xml.writeStartElement("system-out");
+    xml.writeCharacters(groups.stream().map(FailureGroup::line).collect(Collectors.joining("\n")));
     xml.writeEndElement();
   }
 
