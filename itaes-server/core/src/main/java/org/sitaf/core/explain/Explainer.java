@@ -34,6 +34,12 @@ public final class Explainer {
   /** How often a cause is confirmed again if some failures are not reproducible. */
   private static final int FURTHER_CONFIRMATIONS = 4;
 
+  /** The same if several cases fail now and then. */
+  private static final int MORE_CONFIRMATIONS = 8;
+
+  /** So many tuples of the parameters of a relation say that it is not the whole cause. */
+  private static final int MAX_BESIDE_RELATION = 1;
+
   private static final long SEED = 1;
 
   private final TestModel model;
@@ -106,9 +112,9 @@ public final class Explainer {
     if (failed().isEmpty()) {
       return new Explanation(List.of(), 0, List.of());
     }
-    Map<RelationSearch.Relation, Integer> relations = relations();
-    TupleSearch search = new TupleSearch(history, targets, SEED);
-    search.search();
+    Searched searched = search();
+    Map<RelationSearch.Relation, Integer> relations = searched.relations();
+    TupleSearch search = searched.tuples();
     Map<Tuple, List<Value>> simplest = simplest(search, relations.keySet());
     confirmAgain(search);
     BoundarySearch boundaries = new BoundarySearch(values, history, further);
@@ -166,7 +172,44 @@ public final class Explainer {
         .toList();
   }
 
-  private Map<RelationSearch.Relation, Integer> relations() throws InterruptedException {
+  private record Searched(Map<RelationSearch.Relation, Integer> relations, TupleSearch tuples) {}
+
+  private Searched search() throws InterruptedException {
+    Set<String> rejected = new HashSet<>();
+    while (true) {
+      history.explainNothing();
+      Map<RelationSearch.Relation, Integer> relations = relations(rejected);
+      TupleSearch tuples = new TupleSearch(history, targets, SEED);
+      tuples.search();
+      Set<String> partial = partial(relations.keySet(), tuples);
+      if (partial.isEmpty() || history.isExhausted()) {
+        return new Searched(relations, tuples);
+      }
+      rejected.addAll(partial);
+    }
+  }
+
+  /**
+   * The relations next to which several tuples of the same parameters fail: two thresholds, for
+   * example, also look like a sum above some value. The tuples tell the cause.
+   */
+  private static Set<String> partial(Set<RelationSearch.Relation> relations, TupleSearch search) {
+    Set<String> partial = new HashSet<>();
+    for (RelationSearch.Relation relation : relations) {
+      long mask = relation.parameters().stream().mapToLong(p -> 1L << p).sum();
+      long beside =
+          search.causes().stream()
+              .filter(t -> Long.bitCount(t.mask()) > 1 && (t.mask() & ~mask) == 0)
+              .count();
+      if (beside > MAX_BESIDE_RELATION) {
+        partial.add(relation.text());
+      }
+    }
+    return partial;
+  }
+
+  private Map<RelationSearch.Relation, Integer> relations(Set<String> rejected)
+      throws InterruptedException {
     List<List<Double>> numbers = new ArrayList<>();
     List<List<String>> literals = new ArrayList<>();
     for (int i = 0; i < model.inputs().size(); i++) {
@@ -179,6 +222,7 @@ public final class Explainer {
             model.inputs().stream().map(InputElement::name).toList(),
             numbers,
             literals,
+            rejected,
             SEED);
     Map<RelationSearch.Relation, Integer> found = new LinkedHashMap<>();
     while (found.size() < MAX_RELATIONS) {
@@ -241,7 +285,8 @@ public final class Explainer {
               .filter(tuple::isIn)
               .findFirst()
               .orElseThrow();
-      for (int i = 0; i < FURTHER_CONFIRMATIONS && !history.isExhausted(); i++) {
+      int times = history.flakyRows() > 1 ? MORE_CONFIRMATIONS : FURTHER_CONFIRMATIONS;
+      for (int i = 0; i < times && !history.isExhausted(); i++) {
         if (!history.execute(row).failed()) {
           break;
         }

@@ -82,6 +82,16 @@ final class History {
     return passing.stream().anyMatch(p -> Arrays.equals(p, row));
   }
 
+  /** The number of different rows that failed once and passed another time. */
+  long flakyRows() {
+    return failing.stream()
+        .map(Combinations.Row::values)
+        .filter(this::isFlaky)
+        .map(f -> Arrays.stream(f).boxed().toList())
+        .distinct()
+        .count();
+  }
+
   /** How many executions failed with a tuple. */
   int confirmations(Tuple tuple) {
     return (int) failing.stream().filter(f -> tuple.isIn(f.values())).count();
@@ -96,6 +106,11 @@ final class History {
   /** Adds a relation that explains the rows that fulfil it. */
   void explain(Predicate<int[]> relation) {
     relations.add(relation);
+  }
+
+  /** Removes all relations. */
+  void explainNothing() {
+    relations.clear();
   }
 
   /** Whether a relation explains a row. */

@@ -27,6 +27,7 @@ final class RelationSearch {
   private final List<List<String>> literals;
   private final List<String> names;
   private final java.util.Random random;
+  private final Set<String> rejected;
 
   /**
    * A relation.
@@ -43,17 +44,20 @@ final class RelationSearch {
    * A search.
    *
    * @param numbers value of each level of each parameter; NaN if it is not a number
+   * @param rejected texts of relations that are not searched
    */
   RelationSearch(
       History history,
       List<String> names,
       List<List<Double>> numbers,
       List<List<String>> literals,
+      Set<String> rejected,
       long seed) {
     this.history = history;
     this.names = names;
     this.numbers = numbers;
     this.literals = literals;
+    this.rejected = Set.copyOf(rejected);
     this.random = new java.util.Random(seed);
   }
 
@@ -170,7 +174,7 @@ final class RelationSearch {
 
   /** The rows that a relation explains; 0 if it is not one, or tuples explain them as well. */
   private long explained(Relation relation, int a, int b, List<int[]> open) {
-    if (isRefuted(relation)) {
+    if (rejected.contains(relation.text()) || isRefuted(relation)) {
       return 0;
     }
     Set<List<Integer>> pairs = new HashSet<>();

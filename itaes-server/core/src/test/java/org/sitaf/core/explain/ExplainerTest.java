@@ -301,6 +301,33 @@ class ExplainerTest {
             Map.of("p0", "11", "p1", "6"));
   }
 
+  /** Also cases with a large sum of A and X fail, but they are not all that fail. */
+  @Test
+  void twoThresholdsAreNoSum() throws InterruptedException {
+    Explanation explanation = explain(model(""), v -> v[0] > 2 && v[2] > 4.2);
+
+    assertThat(explanation.causes()).allMatch(c -> c.relation() == null);
+    assertThat(explanation.causes()).hasSizeGreaterThan(3);
+    assertThat(explanation.causes())
+        .extracting(Cause::parameters)
+        .allMatch(p -> p.keySet().equals(java.util.Set.of("A", "X")))
+        .contains(Map.of("A", "7", "X", "5.0"), Map.of("A", "4", "X", "10.0"));
+    assertThat(explanation.unexplained()).isEmpty();
+  }
+
+  /** An input value that fails every other time is no cause, and is not searched to the end. */
+  @Test
+  void failuresOfOneValueByChanceHaveNoCause() throws InterruptedException {
+    int found = 0;
+    for (int seed = 0; seed < 4; seed++) {
+      java.util.Random random = new java.util.Random(seed);
+      Explanation explanation = explain(model(""), v -> v[0] == 4 && random.nextBoolean());
+      found += explanation.causes().size();
+      assertThat(explanation.executions()).isLessThan(200);
+    }
+    assertThat(found).isLessThanOrEqualTo(1);
+  }
+
   @Test
   void nothingIsExecutedIfNoCaseFailed() throws InterruptedException {
     assertThat(explain(model(""), v -> false)).isEqualTo(new Explanation(List.of(), 0, List.of()));
