@@ -62,7 +62,7 @@ def test_single_cases_and_those_that_failed_run_again(sitaf, tmp_path):
     run = sitaf("run", example, "--case", "13,2-3", "--repeat", "2", "--junit", report)
     assert run.returncode == 1, run.stdout + run.stderr
     assert "GetInfraredData: 3 cases, 2 PASS, 1 FAIL" in run.stdout
-    assert "in 2 runs each case had the same verdict" in run.stdout
+    assert "in 2 runs each case had the same verdict and the same values" in run.stdout
     names = [case.attrib["name"] for case in ElementTree.parse(report).iter("testcase")]
     assert [name.split(":")[0] for name in names] == ["2", "3", "13"]
 

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
@@ -88,6 +89,27 @@ public final class LocalBuilds implements AutoCloseable {
     return run(activity, model, suite, System.err);
   }
 
+  /**
+   * Like {@link #run}, with the signals of each case.
+   *
+   * @param variation of its processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
+   * @param signals receives the signals of the cases, in any thread
+   */
+  BuildOutcome run(
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      int variation,
+      BiConsumer<Integer, Trace> signals) {
+    return run(
+        activity,
+        model,
+        suite,
+        System.err,
+        settings(model).varied(variation).withSignals(),
+        signals);
+  }
+
   /** Like {@link #run}, without repeated calls and without printing the progress. */
   public BuildOutcome runQuietly(Activity activity, TestModel model, TestSuite suite) {
     return run(
@@ -124,7 +146,11 @@ public final class LocalBuilds implements AutoCloseable {
    * @param signals whether the observer receives the signals of the cases
    */
   public BuildOutcome record(
-      Activity activity, TestModel model, TestSuite suite, boolean signals, CaseObserver observer) {
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      boolean signals,
+      BuildListener observer) {
     settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
     BuildSettings plain = settings.withCoverage(false);
     return start(
@@ -199,6 +225,16 @@ public final class LocalBuilds implements AutoCloseable {
 
   private BuildOutcome run(
       Activity activity, TestModel model, TestSuite suite, PrintStream messages) {
+    return run(activity, model, suite, messages, settings(model), (no, trace) -> {});
+  }
+
+  private BuildOutcome run(
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      PrintStream messages,
+      BuildSettings with,
+      BiConsumer<Integer, Trace> signals) {
     // Starts a compiler while the simulation starts.
     settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
     try (ProgressLine progress = new ProgressLine(messages)) {
@@ -207,8 +243,9 @@ public final class LocalBuilds implements AutoCloseable {
           InterfaceTestApplicationGenerator.generate(activity, model, suite);
       return start(
           application,
-          settings(model),
-          new Steps(model.name(), suite.cases().size(), progress, folders.signalsOf(model)));
+          with,
+          new Steps(
+              model.name(), suite.cases().size(), progress, folders.signalsOf(model), signals));
     }
   }
 
@@ -328,15 +365,26 @@ public final class LocalBuilds implements AutoCloseable {
   }
 
   private record Steps(
-      String model, int total, ProgressLine progress, @Nullable Path signals, AtomicInteger done)
+      String model,
+      int total,
+      ProgressLine progress,
+      @Nullable Path folder,
+      BiConsumer<Integer, Trace> observer,
+      AtomicInteger done)
       implements BuildListener {
-    Steps(String model, int total, ProgressLine progress, @Nullable Path signals) {
-      this(model, total, progress, signals, new AtomicInteger());
+    Steps(
+        String model,
+        int total,
+        ProgressLine progress,
+        @Nullable Path folder,
+        BiConsumer<Integer, Trace> observer) {
+      this(model, total, progress, folder, observer, new AtomicInteger());
     }
 
     @Override
     public void signals(int no, Trace trace) {
-      writeSignals(signals, no, trace);
+      writeSignals(folder, no, trace);
+      observer.accept(no, trace);
     }
 
     @Override

@@ -208,7 +208,7 @@ public final class RunCommand implements Callable<Integer> {
           ended.warnings().forEach(w -> err.println(Printable.lines(w, "  ")));
           err.flush();
           print(result.get(), out);
-          RepeatedBuilds.print(ended.runs(), out);
+          RepeatedBuilds.print(ended, out);
           results.add(result.get());
           last.keep(arguments.folder(), model, result.get(), selected == generated.suite());
           exitCode = worse(exitCode, exitCode(result.get()));

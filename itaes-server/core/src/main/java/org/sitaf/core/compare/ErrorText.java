@@ -8,7 +8,7 @@ import org.sitaf.core.verdict.CaseRecord;
  * The type and message of an error without what differs between runs and checkouts of the same
  * code: line numbers, addresses, folders, and the places that the runtimes append.
  */
-final class ErrorText {
+public final class ErrorText {
   private static final String CAUSE = "; caused by ";
 
   /** {@code robot.Arm.move(Arm.java:12)} or {@code move (arm.py:12)}. */
@@ -52,6 +52,11 @@ final class ErrorText {
     return text.startsWith(record.thrown())
         ? text
         : record.thrown() + (text.isEmpty() ? "" : ": " + text);
+  }
+
+  /** A message without what differs between runs of the same code. */
+  public static String ofMessage(String message) {
+    return normalised(withoutPlaces(message));
   }
 
   private static String withoutPlaces(String message) {

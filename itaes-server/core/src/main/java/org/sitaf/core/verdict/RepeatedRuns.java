@@ -1,23 +1,17 @@
 package org.sitaf.core.verdict;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.TestModel;
 
-/**
- * Several runs of the same cases. Each case has the worst of its results; a case with different
- * verdicts is reported, since it is not reproducible.
- */
+/** Several runs of the same cases. Each case has the worst of its results. */
 public final class RepeatedRuns {
   private final boolean conditions;
   private final Map<Integer, CaseResult> worst = new LinkedHashMap<>();
-  private final Map<Integer, Map<Verdict, Integer>> verdicts = new LinkedHashMap<>();
   private final List<String> suspicions = new ArrayList<>();
   private @Nullable TestResult last;
   private int runs;
@@ -34,11 +28,6 @@ public final class RepeatedRuns {
     result.suspicions().stream().filter(s -> !suspicions.contains(s)).forEach(suspicions::add);
     for (CaseResult each : result.cases()) {
       worst.merge(each.no(), each, RepeatedRuns::worse);
-      if (each.verdict() != Verdict.DONT) {
-        verdicts
-            .computeIfAbsent(each.no(), no -> new EnumMap<>(Verdict.class))
-            .merge(each.verdict(), 1, Integer::sum);
-      }
     }
   }
 
@@ -76,20 +65,5 @@ public final class RepeatedRuns {
         cases,
         latest.coverage(),
         suspicions);
-  }
-
-  /** The cases whose verdicts differ between the runs: one line each. */
-  public List<String> differing() {
-    return verdicts.entrySet().stream()
-        .filter(e -> e.getValue().size() > 1)
-        .map(
-            e ->
-                "case "
-                    + e.getKey()
-                    + ": "
-                    + e.getValue().entrySet().stream()
-                        .map(v -> v.getKey() + " in " + v.getValue() + " of " + runs + " runs")
-                        .collect(Collectors.joining(", ")))
-        .toList();
   }
 }

@@ -1,0 +1,152 @@
+package org.sitaf.core.flaky;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.TreeMap;
+import java.util.function.ToDoubleFunction;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
+
+/**
+ * Finds the cases whose verdicts or values differ between equal runs, and says what makes them
+ * differ: the simulator if its states diverge first; the machine if only the time differs, which
+ * then exceeds a limit; the component otherwise.
+ */
+public final class FlakyCases {
+  /**
+   * A call that exceeds the time limit now and then is slow on a busy machine if it takes this
+   * share of the limit otherwise. A faster one hangs.
+   */
+  private static final double SLOW_SHARE = 0.05;
+
+  private final double limitSeconds;
+  private final Map<Integer, List<CaseDigest>> runs = new TreeMap<>();
+  private final Map<Integer, SignalDigest> signals = new HashMap<>();
+
+  /**
+   * Begins without runs.
+   *
+   * @param limitSeconds time limit of a case
+   */
+  public FlakyCases(double limitSeconds) {
+    this.limitSeconds = limitSeconds;
+  }
+
+  /** Adds the signals of a case of the current run; may be called from any thread. */
+  public void signals(int no, Trace trace) {
+    SignalDigest digest = SignalDigest.of(trace);
+    synchronized (signals) {
+      signals.put(no, digest);
+    }
+  }
+
+  /** Ends the current run. */
+  public void add(TestResult result) {
+    synchronized (signals) {
+      for (CaseResult each : result.cases()) {
+        if (each.verdict() != Verdict.DONT) {
+          runs.computeIfAbsent(each.no(), no -> new ArrayList<>())
+              .add(CaseDigest.of(each, signals.get(each.no())));
+        }
+      }
+      signals.clear();
+    }
+  }
+
+  /** The cases that differ, in the order of their numbers. */
+  public List<FlakyCase> find() {
+    return runs.entrySet().stream()
+        .map(e -> of(e.getKey(), e.getValue()))
+        .flatMap(Optional::stream)
+        .toList();
+  }
+
+  private Optional<FlakyCase> of(int no, List<CaseDigest> executions) {
+    CaseDigest first = executions.get(0);
+    Optional<CaseDigest> other = executions.stream().filter(e -> !e.isEqual(first)).findFirst();
+    if (other.isEmpty()) {
+      return Optional.empty();
+    }
+    List<Verdict> verdicts = executions.stream().map(CaseDigest::verdict).toList();
+    List<CaseDigest> inTime = executions.stream().filter(e -> !e.outOfTime()).toList();
+    boolean otherValues =
+        !inTime.isEmpty() && inTime.stream().anyMatch(e -> !e.isEqual(inTime.get(0)));
+    if (inTime.size() < executions.size() && !otherValues) {
+      return Optional.of(ofTime(no, verdicts, inTime));
+    }
+    return Optional.of(
+        otherValues ? diverging(no, verdicts, inTime) : diverging(no, verdicts, executions));
+  }
+
+  /** Some runs exceeded the time limit, and the others are equal. */
+  private FlakyCase ofTime(int no, List<Verdict> verdicts, List<CaseDigest> inTime) {
+    double longest = largest(inTime, CaseDigest::seconds);
+    return new FlakyCase(
+        no,
+        FlakyCause.MACHINE,
+        verdicts,
+        String.format(
+            Locale.ROOT,
+            "only times differ: a call that takes %.3g s at most otherwise exceeds the limit of"
+                + " %.3g s%s",
+            longest,
+            limitSeconds,
+            longest < SLOW_SHARE * limitSeconds ? "; it may also hang now and then" : ""));
+  }
+
+  private static double largest(List<CaseDigest> runs, ToDoubleFunction<CaseDigest> of) {
+    return runs.stream().mapToDouble(of).max().orElse(0);
+  }
+
+  private static FlakyCase diverging(int no, List<Verdict> verdicts, List<CaseDigest> runs) {
+    CaseDigest first = runs.get(0);
+    for (CaseDigest other : runs) {
+      if (!other.isEqual(first)) {
+        FlakyCase found = diverging(no, verdicts, first.signals(), other.signals());
+        if (found.cause() == FlakyCause.SIMULATOR) {
+          return found;
+        }
+      }
+    }
+    CaseDigest other = runs.stream().filter(r -> !r.isEqual(first)).findFirst().orElseThrow();
+    return diverging(no, verdicts, first.signals(), other.signals());
+  }
+
+  private static FlakyCase diverging(
+      int no, List<Verdict> verdicts, @Nullable SignalDigest one, @Nullable SignalDigest other) {
+    if (one == null || other == null) {
+      return new FlakyCase(
+          no, FlakyCause.COMPONENT, verdicts, "its inputs are equal, and what it returns differs");
+    }
+    OptionalInt commands = one.otherCommands(other);
+    OptionalInt states = one.otherStates(other);
+    if (states.isPresent() && (commands.isEmpty() || states.getAsInt() < commands.getAsInt())) {
+      return new FlakyCase(
+          no,
+          FlakyCause.SIMULATOR,
+          verdicts,
+          String.format(
+              Locale.ROOT,
+              "its states differ from %.6g s on, with equal commands before; please report this",
+              one.seconds(states.getAsInt())));
+    }
+    return new FlakyCase(
+        no,
+        FlakyCause.COMPONENT,
+        verdicts,
+        commands.isEmpty()
+            ? "its readings are equal, and what it returns differs"
+            : String.format(
+                Locale.ROOT,
+                "its readings are equal until it gives other commands at %.6g s",
+                one.seconds(commands.getAsInt())));
+  }
+}

@@ -1,0 +1,18 @@
+package org.sitaf.core.flaky;
+
+/** What makes equal runs of a case differ. */
+public enum FlakyCause {
+  COMPONENT("the component"),
+  SIMULATOR("the simulator"),
+  MACHINE("the machine");
+
+  private final String words;
+
+  FlakyCause(String words) {
+    this.words = words;
+  }
+
+  public String words() {
+    return words;
+  }
+}
