@@ -6,6 +6,7 @@ processor time.
 
 import multiprocessing
 import os
+import re
 import resource
 import signal
 import tempfile
@@ -19,6 +20,7 @@ CPU_SECONDS = 30
 WALL_SECONDS = 60.0
 # Lower than the memory limit of a build's bridge, so that the error names the world as the cause.
 MEMORY_BYTES = 1536 * 1024**2
+_WORD = re.compile(rb"([a-z]{1,20})\n")
 # Limits the number of concurrent processes.
 RUNNING = threading.BoundedSemaphore(2)
 
@@ -49,20 +51,24 @@ class Answer:
 
 
 def isolated(work: Callable[..., tuple[str, bytes]], arguments: Sequence[Any]) -> Answer:
-    """Run `work`, a function of a module, with arguments that can be pickled. Raises TooSlow, Crashed."""
+    """Run `work`, a function of a module, with arguments that can be pickled. Raises TooSlow, Crashed.
+
+    Hostile input may have taken control of the process that answers, so its answer is bytes: an object that it pickled
+    could run code here.
+    """
     with RUNNING:
         receiver, sender = _processes.Pipe(duplex=False)
         process = _processes.Process(target=_child, args=(sender, work, tuple(arguments)), daemon=True)
         process.start()
         sender.close()
-        answer: tuple[str, bytes] | None = None
+        answer: bytes | None = None
         slow = False
         try:
             if receiver.poll(WALL_SECONDS):
-                answer = receiver.recv()
+                answer = receiver.recv_bytes(MEMORY_BYTES)
             else:
                 slow = True
-        except EOFError:
+        except (EOFError, OSError):
             pass
         finally:
             receiver.close()
@@ -70,8 +76,9 @@ def isolated(work: Callable[..., tuple[str, bytes]], arguments: Sequence[Any]) -
             if process.is_alive():
                 process.kill()
                 process.join()
-    if answer is not None:
-        return Answer(*answer)
+    word = None if answer is None else _WORD.match(answer)
+    if answer is not None and word is not None:
+        return Answer(word[1].decode(), answer[word.end() :])
     if slow or process.exitcode == -signal.SIGXCPU:
         raise TooSlow
     raise Crashed(_ending(process.exitcode))
@@ -92,4 +99,5 @@ def _child(answer: Connection, work: Callable[..., tuple[str, bytes]], arguments
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
     # From here on the process cannot open any file, socket or device.
     resource.setrlimit(resource.RLIMIT_NOFILE, (0, 0))
-    answer.send(work(*arguments))
+    word, content = work(*arguments)
+    answer.send_bytes(word.encode() + b"\n" + content)
