@@ -84,6 +84,30 @@ def test_a_faulty_node_fails(sitaf, example, message):
     assert " 0 ERROR" in run.stdout
 
 
+def test_a_node_holds_no_channel_of_results(sitaf, tmp_path):
+    shutil.copytree(ROOT / "examples/velocity-mux-ros", tmp_path / "hostile")
+    node = tmp_path / "hostile/src/velocity_mux/velocity_mux/mux.py"
+    node.write_text(
+        """
+import fcntl, os, stat
+from sitaf_runtime.suite import channel
+
+for fd in range(3, 1024):
+    try:
+        written = stat.S_ISFIFO(os.fstat(fd).st_mode) and fcntl.fcntl(fd, fcntl.F_GETFL) & os.O_ACCMODE
+    except OSError:
+        continue
+    if written:
+        raise RuntimeError(f"descriptor {fd} is a pipe for results")
+if channel._held:
+    raise RuntimeError("the token is known")
+"""
+        + node.read_text()
+    )
+    run = sitaf("run", tmp_path / "hostile", "--no-coverage")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
 def test_an_exception_in_a_callback_is_an_error(sitaf, tmp_path):
     copy = shutil.copytree(ROOT / "examples" / "velocity-mux-ros", tmp_path / "copy")
     node = copy / "src" / "velocity_mux" / "velocity_mux" / "mux.py"

@@ -46,6 +46,12 @@ def hold(arguments: Sequence[str]) -> None:
             return
 
 
+def forget() -> None:
+    """Close the descriptor, in a process that was forked to run code of the component."""
+    while _held:
+        os.close(_held.pop().descriptor)
+
+
 def take(results: object) -> Channel:
     """Return the channel of `hold`, otherwise open it now. Raises CannotRunError when there is none."""
     return _held.pop() if _held else _open(str(results))
