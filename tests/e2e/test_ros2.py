@@ -3,6 +3,7 @@
 import os
 import shutil
 import xml.etree.ElementTree as ElementTree
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -105,6 +106,24 @@ if channel._held:
         + node.read_text()
     )
     run = sitaf("run", tmp_path / "hostile", "--no-coverage")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_a_package_of_a_component_does_not_run_when_a_node_is_compiled(sitaf, tmp_path):
+    """The compiled runtime of nodes is shared by all builds."""
+    activity = tmp_path / "hostile"
+    shutil.copytree(ROOT / "examples/wall-stop-ros-cpp", activity)
+    info = "evil-1.0.dist-info/"
+    with zipfile.ZipFile(activity / "evil-1.0-py3-none-any.whl", "w") as wheel:
+        wheel.writestr(
+            "evil.pth", "import os, sys; 'sitaf_ros.cpp.build' in sys.orig_argv and os.write(2, b'BREACH') and os._exit(9)\n"
+        )
+        wheel.writestr(info + "METADATA", "Metadata-Version: 2.1\nName: evil\nVersion: 1.0\n")
+        wheel.writestr(info + "WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
+        wheel.writestr(info + "RECORD", "")
+    profile = activity / "activity.yaml"
+    profile.write_text(profile.read_text() + "libraries: [evil-1.0-py3-none-any.whl]\n")
+    run = sitaf("run", activity, "--case", "1")
     assert run.returncode == 0, run.stdout + run.stderr
 
 

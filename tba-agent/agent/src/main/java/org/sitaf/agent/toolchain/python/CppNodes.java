@@ -92,7 +92,8 @@ final class CppNodes {
   /**
    * Compiles a node into the folder of the harness.
    *
-   * @param environment has the runtime of test applications
+   * @param environment has the runtime of test applications, and no packages of the component,
+   *     which could change the runtime that builds share
    * @param prefixes folders of Python's own library
    * @param roots names of the copies of the activity's folders in the output folder
    */

@@ -117,8 +117,10 @@ public final class PythonToolchain implements Toolchain {
     }
 
     if (profile.ros() != null && profile.ros().isCpp()) {
-      cppNodes.compile(
-          compilation, environment(compilation), interpreter.prefixes(), roots, profile.ros());
+      // The component's packages would run at the start of the interpreter, and change the compiled
+      // runtime, which other users' builds share.
+      Path environment = environment(Requirements.OF_NODES, compilation);
+      cppNodes.compile(compilation, environment, interpreter.prefixes(), roots, profile.ros());
     }
 
     // Without the component's packages, whose code would run at the start of the interpreter.
@@ -199,11 +201,18 @@ public final class PythonToolchain implements Toolchain {
 
   private Path environment(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
-    return environments.with(
+    return environment(
         Requirements.of(
             compilation.application().activity().profile(),
             ActivityLock.of(compilation.application().activity().files()).orElse(null),
             compilation.activity()),
+        compilation);
+  }
+
+  private Path environment(Requirements requirements, Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    return environments.with(
+        requirements,
         compilation.scratch(),
         compilation.application().activity().profile().limits().preparation(),
         compilation.sandbox());

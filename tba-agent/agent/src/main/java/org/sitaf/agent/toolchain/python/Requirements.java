@@ -59,6 +59,9 @@ record Requirements(
   /** An environment without packages of a component. */
   static final Requirements NONE = new Requirements(List.of(), PROFILE, List.of(), null);
 
+  /** The environment of ROS 2 nodes without packages of a component. */
+  static final Requirements OF_NODES = new Requirements(List.of(NUMPY), PROFILE, List.of(), null);
+
   boolean isEmpty() {
     return lines.isEmpty() && wheels.isEmpty();
   }
