@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+from random import Random
 from typing import Literal, NamedTuple
 from xml.sax.saxutils import escape
 
@@ -46,6 +47,11 @@ def bva(low: str, high: str, offset: str) -> str:
 
 def random(count: int, high: str) -> str:
     return f'<test_spec type="RANDOM" count="{count}" min="1" max="{high}"/>'
+
+
+def digits(count: int) -> str:
+    """A number that does not compress."""
+    return "".join(Random(1).choices("123456789", k=count))
 
 
 def listed(values: range) -> str:
@@ -111,6 +117,8 @@ def models() -> list[Hostile]:
         Hostile("post-shared-lists", model(post=[shared]), "error"),
         Hostile("post-regex-repeated", model(post=["'b'.matches('(((a{1000}){1000}){1000})')"]), "error"),
         Hostile("post-regex-long", model(post=["!'b'.matches(" + "'(a|b)*c' + " * 200 + "'')"]), "error"),
+        Hostile("digits-3000000", model(index=f"<user_value_list><value>{digits(3_000_000)}</value></user_value_list>"), "refused"),
+        Hostile("bound-of-3000000-digits", model(distance=bva("0.0", digits(3_000_000), "0.5")), "refused"),
         Hostile("values-300000", model(index=random(300_000, "2000000000")), "refused"),
         Hostile(
             "values-100000-conditioned",

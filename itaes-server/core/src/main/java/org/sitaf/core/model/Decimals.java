@@ -10,6 +10,11 @@ public final class Decimals {
    */
   private static final int MAX_DIGITS = 400;
 
+  /** Digits before and after the point, sign and exponent; parsing takes quadratic time. */
+  private static final int MAX_LENGTH = 2 * MAX_DIGITS + 20;
+
+  private static final int SHOWN = 20;
+
   private Decimals() {}
 
   /**
@@ -18,8 +23,14 @@ public final class Decimals {
    * @throws IllegalArgumentException if the text is not a number or has too many digits
    */
   public static BigDecimal parse(String text) {
+    String literal = text.strip();
+    if (literal.length() > MAX_LENGTH) {
+      throw new IllegalArgumentException(
+          "'%s...' has more than %d characters and is not a number"
+              .formatted(literal.substring(0, SHOWN), MAX_LENGTH));
+    }
     try {
-      BigDecimal number = new BigDecimal(text.strip());
+      BigDecimal number = new BigDecimal(literal);
       long integerDigits = (long) number.precision() - number.scale();
       if (Math.abs((long) number.scale()) <= MAX_DIGITS
           && integerDigits <= MAX_DIGITS

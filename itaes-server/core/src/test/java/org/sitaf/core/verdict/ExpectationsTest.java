@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sitaf.core.description.DataType;
@@ -92,6 +93,18 @@ class ExpectationsTest {
                 List.of(new NamedValue("", "-999.0")),
                 null,
                 "expected 1.0, but was -999.0"));
+  }
+
+  /** A record of a megabyte is the longest that an agent reads; each case can have one. */
+  @Test
+  @Timeout(20)
+  void aRecordedNumberOfManyDigitsDiffersAtOnce() {
+    String outputs = output("return", "RETURN", "int");
+    CaseRecord record = returned(new NamedValue("return", "9".repeat(1_000_000)));
+    for (int no = 0; no < 10; no++) {
+      CaseResult result = judged(outputs, List.of(new ExpectedValue("", "1")), record);
+      assertThat(result.verdict()).isEqualTo(Verdict.FAIL);
+    }
   }
 
   @Test

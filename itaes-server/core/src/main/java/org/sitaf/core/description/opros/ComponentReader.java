@@ -25,6 +25,7 @@ import org.sitaf.schemas.LocatedText;
 /** Reads {@code component_profile} documents. */
 final class ComponentReader {
   private static final long MAX_PERIOD_MS = 86_400_000;
+  private static final int MAX_PERIOD_LENGTH = 20;
 
   private final OprosTypes types;
   private final Findings findings;
@@ -83,7 +84,9 @@ final class ComponentReader {
     LocatedText period = semantics.getPeriod();
     String text = OprosTypes.text(period);
     try {
-      long milliseconds = new BigDecimal(text).longValueExact();
+      // Parsing many digits takes quadratic time.
+      String number = text.length() > MAX_PERIOD_LENGTH ? "" : text;
+      long milliseconds = new BigDecimal(number).longValueExact();
       if (milliseconds > 0 && milliseconds <= MAX_PERIOD_MS) {
         return new Execution.Periodic(milliseconds);
       }

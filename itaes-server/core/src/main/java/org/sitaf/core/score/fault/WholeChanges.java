@@ -1,12 +1,12 @@
 package org.sitaf.core.score.fault;
 
-import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.UnaryOperator;
 import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.model.Decimals;
 import org.sitaf.core.verdict.Literals;
 
 /** Faults of integers: off by one, signs, scales, widths and byte orders, lost values. */
@@ -69,8 +69,8 @@ final class WholeChanges {
     }
     BigInteger number;
     try {
-      number = new BigDecimal(literal.strip()).toBigIntegerExact();
-    } catch (ArithmeticException e) {
+      number = Decimals.parse(literal).toBigIntegerExact();
+    } catch (ArithmeticException | IllegalArgumentException e) {
       return literal;
     }
     BigInteger result = change.apply(number);

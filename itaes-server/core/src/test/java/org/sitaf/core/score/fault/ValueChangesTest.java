@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
 
@@ -47,6 +49,15 @@ class ValueChangesTest {
   })
   void scalarsChange(ScalarType type, String fault, String literal, String expected) {
     assertThat(changed(new DataType.Scalar(type), fault, literal)).isEqualTo(expected);
+  }
+
+  /** The literals are those that a component recorded. */
+  @ParameterizedTest
+  @ValueSource(strings = {"1e999999999", "1e-999999999", "-1E+400000000"})
+  @Timeout(20)
+  void hugeNumbersStay(String literal) {
+    DataType type = new DataType.Scalar(ScalarType.INT32);
+    assertThat(changed(type, "sign inverted", literal)).isEqualTo(literal);
   }
 
   @Test
