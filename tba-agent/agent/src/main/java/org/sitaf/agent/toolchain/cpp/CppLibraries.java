@@ -32,7 +32,10 @@ record CppLibraries(
     List<String> compileFlags, List<String> linkFlags, @Nullable LinkedTarget cmake) {
   private static final Pattern PACKAGE =
       Pattern.compile("([A-Za-z0-9][A-Za-z0-9+._-]*)(?:==([A-Za-z0-9.+~:-]+))?");
-  private static final Pattern SONAME = Pattern.compile("\\(SONAME\\).*\\[([^/\\]]+)]");
+
+  /** A file name; the library is not trusted. */
+  private static final Pattern SONAME =
+      Pattern.compile("\\(SONAME\\).*\\[([A-Za-z0-9_][A-Za-z0-9_.+-]{0,199})]");
 
   CppLibraries {
     compileFlags = List.copyOf(compileFlags);
@@ -202,11 +205,17 @@ record CppLibraries(
                         ProcessLimits.TOOL)
                     .reading(List.of(library)),
                 compilation.atMost());
-    Matcher soname = SONAME.matcher(end.output());
-    if (soname.find() && !soname.group(1).equals(library.getFileName().toString())) {
-      Files.copy(library, folder.resolve(soname.group(1)), StandardCopyOption.REPLACE_EXISTING);
+    Optional<String> soname = soname(end.output());
+    if (soname.isPresent() && !soname.get().equals(library.getFileName().toString())) {
+      Files.copy(library, folder.resolve(soname.get()), StandardCopyOption.REPLACE_EXISTING);
     }
     return copy;
+  }
+
+  /** The SONAME in what readelf printed, if it is a plain file name. */
+  static Optional<String> soname(String printed) {
+    Matcher soname = SONAME.matcher(printed);
+    return soname.find() ? Optional.of(soname.group(1)) : Optional.empty();
   }
 
   private static SourceDiagnostic inProfile(String message) {

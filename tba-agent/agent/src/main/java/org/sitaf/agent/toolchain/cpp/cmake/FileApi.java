@@ -3,7 +3,6 @@ package org.sitaf.agent.toolchain.cpp.cmake;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -13,9 +12,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.StringTokenizer;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import org.sitaf.agent.spool.LeftFiles;
+import org.sitaf.agent.toolchain.CompilationException;
 
 /**
  * CMake's file API (cmake-file-api(7)): the replies about the program that uses the component's
@@ -30,8 +31,18 @@ record FileApi(Path folder, Path sources, Path tools) {
   private static final String QUERY =
       "{\"requests\":[{\"kind\":\"codemodel\",\"version\":2},{\"kind\":\"cmakeFiles\",\"version\":1}]}";
   private static final Path API = Path.of(".cmake", "api", "v1");
-  private static final long MAX_BYTES = 32L << 20;
+
+  /** Parsed JSON takes some fifty times as much memory as its text. */
+  private static final int MAX_REPLY_BYTES = 2 << 20;
+
+  private static final int MAX_DEPENDENCY_BYTES = 1 << 20;
   private static final int MAX_FILES = 20_000;
+  private static final int MAX_OPENED = 50_000;
+
+  /** Each is copied to the output. */
+  private static final int MAX_SHARED = 200;
+
+  private static final long MAX_SHARED_BYTES = 512L << 20;
   private static final int DEFAULT_STANDARD = 17;
 
   /** Options that SITAF chooses itself. */
@@ -48,10 +59,14 @@ record FileApi(Path folder, Path sources, Path tools) {
     Files.writeString(client.resolve("query.json"), QUERY);
   }
 
-  /** Reads the replies and the compilers' dependency files. */
-  LinkedTarget target(long startMillis, String warnings) throws IOException {
-    JsonObject program = reply("target-sitaf_probe-");
+  /**
+   * Reads the replies and the compilers' dependency files.
+   *
+   * @throws CompilationException if the project left other files than CMake writes
+   */
+  LinkedTarget target(long startMillis, String warnings) throws CompilationException {
     try {
+      JsonObject program = reply("target-sitaf_probe-");
       JsonArray groups = array(program, "compileGroups");
       JsonObject group = groups.isEmpty() ? new JsonObject() : groups.get(0).getAsJsonObject();
       return new LinkedTarget(
@@ -63,8 +78,9 @@ record FileApi(Path folder, Path sources, Path tools) {
           opened(),
           startMillis,
           warnings);
-    } catch (JsonParseException | IllegalStateException | UnsupportedOperationException e) {
-      throw new IOException(BROKEN + e.getMessage(), e);
+    } catch (IOException | RuntimeException e) {
+      // For a member that is missing or of another kind, Gson throws various exceptions.
+      throw new CompilationException(BROKEN + e.getMessage(), List.of());
     }
   }
 
@@ -73,20 +89,13 @@ record FileApi(Path folder, Path sources, Path tools) {
     List<Path> found =
         LeftFiles.in(replies, path -> path.getFileName().toString().startsWith(prefix), MAX_FILES);
     if (found.size() != 1) {
-      throw new IOException(BROKEN + found.size() + " files " + prefix + "*.json");
+      throw new IOException("there are " + found.size() + " files " + prefix + "*.json");
     }
-    try {
-      return JsonParser.parseString(text(found.get(0))).getAsJsonObject();
-    } catch (JsonParseException | IllegalStateException e) {
-      throw new IOException(BROKEN + e.getMessage(), e);
-    }
+    return JsonParser.parseString(text(found.get(0), MAX_REPLY_BYTES)).getAsJsonObject();
   }
 
-  private static String text(Path file) throws IOException {
-    if (Files.size(file) > MAX_BYTES) {
-      throw new IOException(BROKEN + file.getFileName() + " is too large");
-    }
-    return Files.readString(file, StandardCharsets.UTF_8);
+  private static String text(Path file, int maxBytes) throws IOException {
+    return new String(LeftFiles.read(file, maxBytes), StandardCharsets.UTF_8);
   }
 
   private static JsonArray array(JsonObject object, String name) {
@@ -155,8 +164,18 @@ record FileApi(Path folder, Path sources, Path tools) {
   }
 
   private List<Path> sharedLibraries() throws IOException {
-    return LeftFiles.in(
-        folder, path -> SHARED.matcher(path.getFileName().toString()).matches(), MAX_FILES);
+    List<Path> found =
+        LeftFiles.in(
+            folder, path -> SHARED.matcher(path.getFileName().toString()).matches(), MAX_SHARED);
+    long bytes = 0;
+    for (Path library : found) {
+      bytes += Files.size(library);
+    }
+    if (bytes > MAX_SHARED_BYTES) {
+      throw new IOException(
+          "the shared libraries have more than " + (MAX_SHARED_BYTES >> 20) + " MiB");
+    }
+    return found;
   }
 
   /** Files outside of the application and of the build folder. */
@@ -166,20 +185,24 @@ record FileApi(Path folder, Path sources, Path tools) {
       addOpened(input.getAsJsonObject().get("path").getAsString(), opened);
     }
     for (Path file : LeftFiles.in(folder, path -> path.toString().endsWith(".o.d"), MAX_FILES)) {
-      String text = text(file);
-      for (String word : text.substring(text.indexOf(':') + 1).split("\\s+")) {
-        addOpened(word, opened);
+      String text = text(file, MAX_DEPENDENCY_BYTES);
+      StringTokenizer words = new StringTokenizer(text.substring(text.indexOf(':') + 1));
+      while (words.hasMoreTokens()) {
+        addOpened(words.nextToken(), opened);
       }
     }
     return List.copyOf(opened);
   }
 
-  private void addOpened(String word, Set<String> opened) {
+  private void addOpened(String word, Set<String> opened) throws IOException {
     try {
       Path path = Path.of(word).normalize();
       boolean ofBuild = List.of(folder, sources, tools).stream().anyMatch(path::startsWith);
       if (path.isAbsolute() && !ofBuild) {
         opened.add(word);
+        if (opened.size() > MAX_OPENED) {
+          throw new IOException("the project opened more than " + MAX_OPENED + " files");
+        }
       }
     } catch (InvalidPathException e) {
       // No file has this name.
