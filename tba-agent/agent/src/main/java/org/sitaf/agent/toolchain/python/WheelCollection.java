@@ -129,7 +129,7 @@ final class WheelCollection {
   }
 
   private ToolResult fetch(Path folder, List<String> wanted, Path known)
-      throws IOException, InterruptedException {
+      throws IOException, InterruptedException, PackageException {
     Path stubs = tools.folder();
     for (LocalWheel wheel : local) {
       wheel.writeStub(stubs);
@@ -138,13 +138,23 @@ final class WheelCollection {
   }
 
   /** The releases that pip may choose, one line each. */
-  private List<String> constraints() {
-    return lock == null
-        ? List.of()
-        : lock.packages().stream()
-            .filter(each -> !each.isMaven())
-            .map(each -> each.name() + "==" + each.version())
-            .toList();
+  private List<String> constraints() throws PackageException {
+    List<String> constraints = new ArrayList<>();
+    for (ResolvedPackage each : lock == null ? List.<ResolvedPackage>of() : lock.packages()) {
+      String line = each.name() + "==" + each.version();
+      if (each.isMaven()) {
+        continue;
+      }
+      if (!Requirements.isPackage(line)) {
+        throw new PackageException(
+            ActivityLock.FILE
+                + " lists '"
+                + line
+                + "', which is not a package of the index; write the file by ./sitaf lock");
+      }
+      constraints.add(line);
+    }
+    return constraints;
   }
 
   private ToolResult fetchAlone(

@@ -108,4 +108,17 @@ class LockedPackagesTest {
                   .contains("sitaf-locked-arm 1.0", "was replaced", "--update");
             });
   }
+
+  @Test
+  void aReleaseThatPipTakesForAFileIsAnErrorOfTheLock() {
+    ActivityLock lock =
+        new ActivityLock(List.of(new ResolvedPackage("arm", "1.0.zip", "0".repeat(64))), false);
+
+    assertThatThrownBy(() -> packages(lock))
+        .isInstanceOfSatisfying(
+            CompilationException.class,
+            e ->
+                assertThat(e.diagnostics().get(0).message())
+                    .contains("activity.lock lists 'arm==1.0.zip', which is not a package"));
+  }
 }
