@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
@@ -20,13 +21,14 @@ public final class UserFiles {
   /**
    * Reads a folder tree without hidden files and folders.
    *
-   * @throws InvalidInputException if the folder does not exist or contains a link
+   * @throws InvalidInputException if the folder does not exist, contains a link, or is too large
    */
   public static FileTree folder(Path folder) {
     if (!Files.isDirectory(folder)) {
       throw InvalidInputException.of(folder.toString(), "is not a folder");
     }
     Map<String, byte[]> files = new HashMap<>();
+    long size = 0;
     try (Stream<Path> all = Files.walk(folder, MAX_DEPTH)) {
       for (Path path : (Iterable<Path>) all::iterator) {
         String name = folder.relativize(path).toString().replace('\\', '/');
@@ -38,6 +40,13 @@ public final class UserFiles {
               path.toString(), "is a link; copy the file into the activity");
         }
         if (Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
+          size += Files.size(path);
+          if (size > ActivityArchive.MAX_SIZE || files.size() >= ActivityArchive.MAX_FILES) {
+            throw InvalidInputException.of(
+                folder.toString(),
+                "holds more than %d files or %d MiB, the limit of an activity; move what the test does not need out of it"
+                    .formatted(ActivityArchive.MAX_FILES, ActivityArchive.MAX_SIZE >> 20));
+          }
           files.put(name, Files.readAllBytes(path));
         }
       }

@@ -22,6 +22,14 @@ public final class GitFolder {
   private static final String LFS = "version https://git-lfs.github.com/spec/";
   private static final int MAX_LFS_POINTER = 1024;
 
+  /**
+   * Maximum number of files and folders, also hidden ones. A few small tree objects that repeat
+   * each other can name any number of folders without a file.
+   */
+  private static final int MAX_ENTRIES = 2 * ActivityArchive.MAX_FILES;
+
+  private static final int MAX_DEPTH = 50;
+
   private final Path folder;
   private final String revision;
   private final String name;
@@ -79,7 +87,13 @@ public final class GitFolder {
 
   private void read(TreeWalk walk, Map<String, byte[]> files) throws IOException {
     long size = 0;
+    int entries = 0;
     while (walk.next()) {
+      if (++entries > MAX_ENTRIES || walk.getDepth() > MAX_DEPTH) {
+        throw invalid(
+            "holds more than %d files and folders, or folders nested more than %d deep; name a folder with the activity only"
+                .formatted(MAX_ENTRIES, MAX_DEPTH));
+      }
       String path = walk.getPathString();
       int mode = walk.getRawMode(0);
       if (path.startsWith(".") || path.contains("/.")) {

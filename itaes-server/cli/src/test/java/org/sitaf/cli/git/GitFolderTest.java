@@ -16,10 +16,12 @@ import org.eclipse.jgit.lib.ObjectInserter;
 import org.eclipse.jgit.lib.PersonIdent;
 import org.eclipse.jgit.lib.RefUpdate;
 import org.eclipse.jgit.lib.Repository;
+import org.eclipse.jgit.lib.TreeFormatter;
 import org.eclipse.jgit.storage.file.FileRepositoryBuilder;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -55,17 +57,21 @@ class GitFolderTest {
         builder.add(entry);
       }
       builder.finish();
-      CommitBuilder commit = new CommitBuilder();
-      commit.setTreeId(index.writeTree(inserter));
-      PersonIdent person = new PersonIdent("t", "t@example.org", 0, 0);
-      commit.setAuthor(person);
-      commit.setCommitter(person);
-      ObjectId id = inserter.insert(commit);
-      inserter.flush();
-      RefUpdate update = repository.updateRef("HEAD");
-      update.setNewObjectId(id);
-      update.forceUpdate();
+      commit(inserter, index.writeTree(inserter));
     }
+  }
+
+  private void commit(ObjectInserter inserter, ObjectId tree) throws IOException {
+    CommitBuilder commit = new CommitBuilder();
+    commit.setTreeId(tree);
+    PersonIdent person = new PersonIdent("t", "t@example.org", 0, 0);
+    commit.setAuthor(person);
+    commit.setCommitter(person);
+    ObjectId id = inserter.insert(commit);
+    inserter.flush();
+    RefUpdate update = repository.updateRef("HEAD");
+    update.setNewObjectId(id);
+    update.forceUpdate();
   }
 
   private String problem(String folder, String revision) {
@@ -96,6 +102,34 @@ class GitFolderTest {
     assertThat(files.paths()).containsExactly("activity.yaml", "component/arm.py");
     assertThat(files.text("activity.yaml")).contains("name: arm");
     assertThat(GitFolder.read(directory, "HEAD").paths()).contains("b/other");
+  }
+
+  /** Twelve objects that name 10^10 folders, or files that are hidden. */
+  private void commitRepeatedFolders(String leaf) throws IOException {
+    try (ObjectInserter inserter = repository.newObjectInserter()) {
+      TreeFormatter last = new TreeFormatter();
+      if (!leaf.isEmpty()) {
+        last.append(leaf, FileMode.REGULAR_FILE, inserter.insert(3, new byte[0]));
+      }
+      ObjectId tree = inserter.insert(last);
+      for (int level = 0; level < 10; level++) {
+        TreeFormatter folders = new TreeFormatter();
+        for (int i = 0; i < 10; i++) {
+          folders.append("d" + i, FileMode.TREE, tree);
+        }
+        tree = inserter.insert(folders);
+      }
+      commit(inserter, tree);
+    }
+  }
+
+  @Test
+  @Timeout(30)
+  void refusesFoldersThatRepeatEachOther() throws IOException {
+    commitRepeatedFolders("");
+    assertThat(problem("", "HEAD")).contains("more than 20000 files and folders");
+    commitRepeatedFolders(".hidden");
+    assertThat(problem("", "HEAD")).contains("more than 20000 files and folders");
   }
 
   @Test
