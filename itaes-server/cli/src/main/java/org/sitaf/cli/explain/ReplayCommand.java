@@ -117,7 +117,7 @@ public final class ReplayCommand implements Callable<Integer> {
             : "the verdict is "
                 + now.get(RunRecord.VERDICT)
                 + ", but "
-                + recorded.path(RunRecord.VERDICT).asString("")
+                + Printable.line(recorded.path(RunRecord.VERDICT).asString(""))
                 + " in the bundle");
     boolean any = false;
     for (String name : CONDITIONS) {

@@ -105,7 +105,7 @@ public final class CaseTable {
   /** Prints one row for each case. */
   void print(List<CaseResult> cases, String indent, PrintWriter out) {
     List<List<String>> rows = new ArrayList<>();
-    rows.add(columns.stream().map(Column::name).toList());
+    rows.add(columns.stream().map(column -> cell(column.name())).toList());
     cases.forEach(c -> rows.add(columns.stream().map(col -> cell(col.text().apply(c))).toList()));
     int[] widths = new int[columns.size()];
     for (List<String> row : rows) {

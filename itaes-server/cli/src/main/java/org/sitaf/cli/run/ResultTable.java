@@ -178,7 +178,7 @@ public final class ResultTable {
             .filter(note -> executed.stream().allMatch(c -> c.notes().contains(note)))
             .sorted()
             .toList();
-    notes.stream().limit(MAX_NOTES).forEach(note -> out.println("note: " + note));
+    notes.stream().limit(MAX_NOTES).forEach(note -> out.println("note: " + Printable.line(note)));
     if (notes.size() > MAX_NOTES) {
       out.println("note: " + (notes.size() - MAX_NOTES) + " more in the result file");
     }

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sitaf.cli.Sitaf;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
@@ -118,5 +119,29 @@ class RunCommandTest {
         .contains("--debug runs a case once; leave out --repeat and --until-failure");
     assertThat(errorsOf(2, "folder", "--debug", "--sandbox", "required"))
         .contains("--debug is not available with --sandbox=required: a debugger cannot reach");
+  }
+
+  /** Names of outputs and notes come from the component. */
+  @Test
+  void printsNoEscapeSequencesOfAComponent() {
+    String escape = "\u001b]0;x\u0007\u202e";
+    NamedValue value = new NamedValue(escape, escape);
+    CaseResult hostile =
+        new CaseResult(1, Verdict.PASS, List.of(), List.of(value), List.of(value, value), null, "")
+            .withNotes(List.of("nothing observes the topic " + escape));
+    TestResult result =
+        new TestResult(
+            "Model",
+            PROVENANCE,
+            new Summary(1, 1, 0, 0, 0, 0, 0, null),
+            List.of(),
+            List.of(hostile),
+            null);
+    StringWriter out = new StringWriter();
+    ResultTable.printAll(result, new PrintWriter(out));
+    ResultTable.printSummary(result, new PrintWriter(out));
+    assertThat(out.toString())
+        .contains("nothing observes the topic \\u001b")
+        .doesNotContain("\u001b", "\u0007", "\u202e");
   }
 }
