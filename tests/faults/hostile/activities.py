@@ -17,8 +17,8 @@ LANGUAGES = {
 
 # The component returns -999 or does not return, so a green build would be wrong.
 NEVER_GREEN = {
-    "crashes", "exits", "exits-like-driver", "forges-and-exits", "forges-by-reflection", "forges-results", "hangs", "long-message",
-    "odd-message", "overflows-stack", "stops", "throws-error", "throws-number",
+    "child-kills-driver", "child-stops-driver", "crashes", "exits", "exits-like-driver", "forges-and-exits", "forges-by-reflection", "forges-results", "hangs", "long-message",
+    "odd-message", "odd-return", "overflows-stack", "stops", "throws-error", "throws-number",
 }  # fmt: skip
 
 # One attack per escape and limit; the short form runs each in the language that can do it most directly.

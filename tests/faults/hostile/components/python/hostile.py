@@ -244,6 +244,30 @@ class Attacks:
                 except OSError:
                     continue
 
+    def hard_links_left():
+        for folder in writable_folders():
+            for name, target in (("1.glb", "/etc/passwd"), ("2.glb", "/usr/bin/env"), (".coverage", "/etc/group")):
+                try:
+                    os.link(target, os.path.join(folder, name))
+                    breach(f"links to {target}")
+                except OSError:
+                    continue
+
+    def replaces_folders():
+        for folder in writable_folders():
+            for root, folders, files in os.walk(folder, topdown=False):
+                for remove, names in ((os.remove, files), (os.rmdir, folders)):
+                    for name in names:
+                        try:
+                            remove(os.path.join(root, name))
+                        except OSError:
+                            continue
+            try:
+                os.rmdir(folder)
+                os.symlink("/etc", folder)
+            except OSError:
+                continue
+
     def deep_folders():
         for folder in writable_folders():
             try:
@@ -290,6 +314,21 @@ class Attacks:
                     break
         too_much("disk", total)
 
+    def hides_deleted_files():
+        # PR_SET_DUMPABLE: an agent that is an ordinary user cannot list the descriptors of this process any more.
+        LIBC.prctl(4, 0, 0, 0, 0)
+        block, total, kept = bytes(MIB), 0, []
+        for i in range(20):
+            path = os.path.join(os.getcwd(), f"hidden{i}")
+            try:
+                kept.append(open(path, "wb", buffering=0))
+                os.remove(path)
+                total += fill(lambda: kept[-1].write(block), min(200 * MIB, MUCH - total))
+            except OSError:
+                break
+        time.sleep(5)
+        too_much("deleted files", total)
+
     def sparse_files():
         for folder in writable_folders():
             try:
@@ -331,6 +370,15 @@ class Attacks:
                 except OSError:
                     continue
 
+    def inherited_descriptors():
+        for name in os.listdir("/proc/self/fd"):
+            try:
+                target, kind = os.readlink(f"/proc/self/fd/{name}"), os.fstat(int(name)).st_mode
+            except OSError:
+                continue
+            if target.startswith("/") and not stat.S_ISFIFO(kind) and not os.path.exists(target):
+                breach(f"inherits descriptor {name} of {target}")
+
     def odd_sockets():
         for family, name in ((38, "AF_ALG"), (40, "AF_VSOCK"), (17, "AF_PACKET"), (9, "AF_X25")):
             try:
@@ -343,6 +391,34 @@ class Attacks:
         for pid in (-1, 1, os.getppid()):
             try:
                 os.kill(pid, signal.SIGKILL)
+            except OSError:
+                continue
+
+    def child_kills_driver():
+        if os.fork() == 0:
+            os.setsid()
+            os.kill(os.getppid(), signal.SIGKILL)
+            os._exit(0)
+        time.sleep(60)
+
+    def child_stops_driver():
+        if os.fork() == 0:
+            for _ in range(600):
+                os.kill(os.getppid(), signal.SIGSTOP)
+                time.sleep(0.1)
+            os._exit(0)
+        time.sleep(60)
+
+    def raises_priority():
+        try:
+            os.setpriority(os.PRIO_PROCESS, 0, -20)
+            breach("raises its priority")
+        except OSError:
+            pass
+        for policy in (os.SCHED_FIFO, os.SCHED_RR):
+            try:
+                os.sched_setscheduler(0, policy, os.sched_param(1))
+                breach("is scheduled in real time")
             except OSError:
                 continue
 
@@ -491,6 +567,38 @@ class Attacks:
             total += 100 * MIB
         too_much("System V memory", total)
 
+    def memory_of_pipes():
+        ends, total = [], 0
+        try:
+            while total < MUCH:
+                ends.append(os.pipe())
+                os.set_blocking(ends[-1][1], False)
+                try:
+                    # F_SETPIPE_SZ
+                    import fcntl
+                    fcntl.fcntl(ends[-1][1], 1031, MIB)
+                except OSError:
+                    pass
+                total += os.write(ends[-1][1], bytes(MIB))
+        except OSError:
+            pass
+        too_much("pipes", total)
+
+    def memory_of_sockets():
+        ends, total, block = [], 0, bytes(64 << 10)
+        try:
+            while total < MUCH:
+                ends.append(socket.socketpair())
+                ends[-1][0].setblocking(False)
+                try:
+                    while True:
+                        total += ends[-1][0].send(block)
+                except BlockingIOError:
+                    continue
+        except OSError:
+            pass
+        too_much("sockets", total)
+
     # The kernel.
 
     def user_namespaces():
@@ -572,6 +680,23 @@ class Attacks:
 
     def odd_message():
         raise RuntimeError("]]><script>alert(1)</script>\x00\x1b[2J\u202e\ud800&amp;\r\n=cmd|' /C calc'!A0")
+
+    def odd_return():
+        class Odd(float):
+            def __repr__(self):
+                return "1e999999999" + "9" * MIB
+
+            __str__ = __repr__
+
+            def __float__(self):
+                return Odd(float.__neg__(self))
+
+        return Odd(-999.0)
+
+    def escapes_in_output():
+        for _ in range(1000):
+            os.write(1, b"\x1b[2J\x1b]0;owned\x07\x1b]8;;http://evil\x07\x9b31m" * 100)
+        os.write(2, b"x" * (4 * MIB))
 
     def closes_descriptors():
         os.closerange(3, 4096)
