@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.TypeGrammar;
+import org.sitaf.core.expression.function.Library;
 import org.sitaf.core.model.Definition;
 
 /** The functions, names and types of expressions. */
@@ -85,6 +88,30 @@ class ExpressionVectorsTest {
   void evaluates(String vector) throws EvaluationException {
     String[] parts = vector.split(" => ", 2);
     assertThat(shown(compiler.compile(parts[0]).evaluate(VALUES))).isEqualTo(parts[1]);
+  }
+
+  /** The examples of the documentation. */
+  static List<String> documented() throws IOException {
+    String text = Files.readString(Path.of("../../docs/expressions.md"));
+    String begin = "```text title=\"Examples of functions\"\n";
+    int from = text.indexOf(begin) + begin.length();
+    return text.substring(from, text.indexOf("```", from)).lines().toList();
+  }
+
+  @ParameterizedTest
+  @MethodSource("documented")
+  void documentedExamplesHaveTheirValues(String example) throws EvaluationException {
+    evaluates(example);
+  }
+
+  @Test
+  void everyFunctionHasAnExample() throws IOException {
+    List<String> examples = documented();
+    for (String function : Library.names()) {
+      assertThat(examples)
+          .as(function)
+          .anyMatch(e -> e.matches(".*\\b" + function + "\\(.* => .*"));
+    }
   }
 
   private static String shown(Object value) {
