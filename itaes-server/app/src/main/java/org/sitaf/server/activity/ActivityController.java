@@ -59,11 +59,17 @@ class ActivityController {
   @Operation(operationId = "listActivities", summary = "Lists activities, newest first")
   Listing<ActivityView> list(
       @RequestParam(required = false) @Nullable String name,
+      @Parameter(
+              description =
+                  "a part of the name, the description or the component's class; case is ignored")
+          @RequestParam(required = false)
+          @Nullable String search,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size,
       @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
     return Listing.of(
-        activities.list(name, Listing.request(page, size, SORTING.order(sort)), ActivityView::of),
+        activities.list(
+            name, search, Listing.request(page, size, SORTING.order(sort)), ActivityView::of),
         view -> view);
   }
 

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.UUID;
@@ -93,13 +94,22 @@ public class StoredActivities {
     return required(transaction.execute(status -> view.apply(find(id))));
   }
 
-  /** Returns a page of the activities; a name of null means all. */
-  <T> Page<T> list(@Nullable String name, Pageable page, Function<StoredActivity, T> view) {
-    return required(
-        transaction.execute(
-            status ->
-                (name == null ? activities.findAll(page) : activities.findByName(name, page))
-                    .map(view)));
+  /** Returns a page of the activities; a name and a searched text of null mean all. */
+  <T> Page<T> list(
+      @Nullable String name,
+      @Nullable String search,
+      Pageable page,
+      Function<StoredActivity, T> view) {
+    return required(transaction.execute(status -> page(name, search, page).map(view)));
+  }
+
+  private Page<StoredActivity> page(@Nullable String name, @Nullable String search, Pageable page) {
+    if (name != null) {
+      return activities.findByName(name, page);
+    }
+    return search == null
+        ? activities.findAll(page)
+        : activities.findContaining(search.toLowerCase(Locale.ROOT), page);
   }
 
   /**

@@ -20,6 +20,13 @@ interface StoredActivityRepository extends Repository<StoredActivity, String> {
 
   Page<StoredActivity> findByName(String name, Pageable page);
 
+  /** With locate, no character of the searched text is a wildcard. */
+  @Query(
+      "select a from StoredActivity a where locate(:text, lower(a.name)) > 0"
+          + " or locate(:text, lower(a.description)) > 0"
+          + " or locate(:text, lower(a.componentClass)) > 0")
+  Page<StoredActivity> findContaining(String text, Pageable page);
+
   StoredActivity saveAndFlush(StoredActivity activity);
 
   void delete(StoredActivity activity);

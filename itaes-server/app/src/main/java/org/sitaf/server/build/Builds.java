@@ -1,10 +1,14 @@
 package org.sitaf.server.build;
 
+import jakarta.persistence.criteria.CriteriaBuilder;
+import jakarta.persistence.criteria.Path;
+import jakarta.persistence.criteria.Predicate;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
@@ -179,13 +183,15 @@ public class Builds {
    * Criteria for builds; null means any.
    *
    * @param parentId the build whose shards are listed; null for whole builds only
+   * @param search a part of the activity's or the model's name, in upper or lower case
    */
   public record Filter(
       @Nullable String activityId,
       @Nullable BuildState state,
       @Nullable String scheduleId,
       @Nullable String parentId,
-      @Nullable String commit) {}
+      @Nullable String commit,
+      @Nullable String search) {}
 
   /** Applies a function to a build within a transaction. */
   public <T> T inspect(String id, Function<Build, T> view) {
@@ -215,10 +221,20 @@ public class Builds {
                 filter.commit() == null
                     ? is.conjunction()
                     : is.equal(build.get("commitId"), filter.commit()),
+                filter.search() == null
+                    ? is.conjunction()
+                    : is.or(
+                        contains(is, build.get("activityName"), filter.search()),
+                        contains(is, build.get("model"), filter.search())),
                 filter.parentId() == null
                     ? is.isNull(build.get("parentId"))
                     : is.equal(build.get("parentId"), filter.parentId()));
     return required(transaction.execute(status -> builds.findAll(specification, page).map(view)));
+  }
+
+  /** With locate, no character of the searched text is a wildcard. */
+  private static Predicate contains(CriteriaBuilder is, Path<String> text, String searched) {
+    return is.greaterThan(is.locate(is.lower(text), searched.toLowerCase(Locale.ROOT)), 0);
   }
 
   /** Cancels a build that has not ended. */

@@ -43,6 +43,15 @@ class ActivityStoryTest extends ServerTest {
     assertThat(api.get("/api/v1/activities?name=ir-sensor&size=500").json().get("items"))
         .extracting(a -> a.get("id").asString())
         .contains(created.id());
+    for (String part : new String[] {"R-SENS", "infraredSENSOR"}) {
+      assertThat(api.get("/api/v1/activities?search=" + part + "&size=500").json().get("items"))
+          .as(part)
+          .extracting(a -> a.get("id").asString())
+          .contains(created.id());
+    }
+    assertThat(api.get("/api/v1/activities?search=_").json().get("items"))
+        .as("no wildcard")
+        .isEmpty();
     api.delete(path).expect(204);
     api.get(path).expect(404);
   }

@@ -96,6 +96,9 @@ class BuildController {
       @Parameter(description = "lists the builds of this commit; -dirty is part of it")
           @RequestParam(required = false)
           @Nullable String commit,
+      @Parameter(description = "a part of the activity's or the test model's name; case is ignored")
+          @RequestParam(required = false)
+          @Nullable String search,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size,
       @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
@@ -106,7 +109,8 @@ class BuildController {
                 state == null ? null : BuildState.valueOf(state.name()),
                 scheduleId,
                 parentId,
-                commit),
+                commit,
+                search),
             Listing.request(page, size, SORTING.order(sort)),
             this::view),
         view -> view);
