@@ -31,6 +31,14 @@ class AnalysisController {
     return StatisticsView.of(results.load(id));
   }
 
+  @GetMapping("/builds/{id}/result/failures")
+  @Operation(
+      operationId = "getResultFailures",
+      summary = "Returns what failed, in groups of equal messages, and since which build")
+  FailuresView failures(@PathVariable String id) {
+    return results.failures(id);
+  }
+
   @GetMapping("/builds/{id}/result/comparison")
   @Operation(
       operationId = "compareResults",

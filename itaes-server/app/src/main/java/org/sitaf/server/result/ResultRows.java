@@ -1,5 +1,7 @@
 package org.sitaf.server.result;
 
+import java.sql.ResultSet;
+import java.sql.SQLException;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.util.List;
@@ -166,6 +168,42 @@ class ResultRows {
                         row.getString(7)))
             .list();
     return new PageImpl<>(items, page, total);
+  }
+
+  private static final String EARLIER =
+      "SELECT b.id, r.received, b.commit_id, b.fail, b.error FROM build b"
+          + " JOIN result r ON r.build_id = b.id";
+
+  /** A result as a row of the history of its model. */
+  Optional<FailuresView.Earlier> asEarlier(String buildId) {
+    return jdbc.sql(EARLIER + " WHERE b.id = ?")
+        .param(buildId)
+        .query((row, index) -> earlier(row))
+        .optional();
+  }
+
+  /**
+   * The results of the same activity and model whose builds were requested before, newest first.
+   * Builds of some cases and suspect results are left out.
+   */
+  List<FailuresView.Earlier> earlier(String buildId, int max) {
+    return jdbc.sql(
+            EARLIER
+                + " JOIN build self ON self.id = ? AND b.activity_id = self.activity_id"
+                + " AND b.model = self.model AND b.created < self.created"
+                + " WHERE b.case_numbers IS NULL AND b.parent_id IS NULL AND b.suspicions IS NULL"
+                + " ORDER BY b.created DESC, b.id LIMIT ?")
+        .params(buildId, max)
+        .query((row, index) -> earlier(row))
+        .list();
+  }
+
+  private static FailuresView.Earlier earlier(ResultSet row) throws SQLException {
+    return new FailuresView.Earlier(
+        row.getString(1),
+        row.getObject(2, java.time.OffsetDateTime.class).toInstant(),
+        row.getString(3),
+        row.getInt(4) + row.getInt(5) > 0);
   }
 
   private String toText(CaseResult outcome) {

@@ -30,6 +30,9 @@ public class Results {
   /** Maximum number of cases in the cache. */
   private static final int MAX_CASES = 300_000;
 
+  /** Number of earlier results that are searched for the first failure. */
+  private static final int EARLIER_RESULTS = 200;
+
   private static final Duration CACHED = Duration.ofMinutes(30);
 
   private final ResultRows rows;
@@ -146,6 +149,15 @@ public class Results {
   /** Results of an activity, newest first; a model of null means all. */
   Page<HistoryView.Row> history(String activityId, @Nullable String model, Pageable page) {
     return rows.history(activityId, model, page);
+  }
+
+  /** Describes what failed in a result, and since when. */
+  FailuresView failures(String buildId) {
+    TestResult now = load(buildId);
+    FailuresView.Earlier self = rows.asEarlier(buildId).orElseThrow(() -> noResult(buildId));
+    List<FailuresView.Earlier> earlier = rows.earlier(buildId, EARLIER_RESULTS);
+    return FailuresView.of(
+        now, self, earlier, earlier.isEmpty() ? null : load(earlier.get(0).buildId()));
   }
 
   String activityName(String buildId) {

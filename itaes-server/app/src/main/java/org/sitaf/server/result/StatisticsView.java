@@ -17,9 +17,18 @@ import org.sitaf.core.verdict.Verdict;
 @Schema(name = "ResultStatistics")
 record StatisticsView(
     @Schema(description = "absent if no case was timed") @Nullable Times times,
-    @Schema(description = "in the order of the result's parameters") List<ByParameter> parameters) {
+    @Schema(description = "in the order of the result's parameters") List<ByParameter> parameters,
+    @Schema(
+            description =
+                "the two parameters whose values tell most about which cases fail; absent if no"
+                    + " case or every case fails, or if there are no two with 2 to 30 values")
+        @Nullable TellingPair tellingPair) {
   private static final int MAX_BARS = 40;
   private static final int MAX_POINTS = 400;
+
+  /** Points that represent several cases are shown as box plots. */
+  private static final int MAX_BOXES = 50;
+
   private static final int MAX_VALUES = 200;
 
   /** With fewer cases the 99th percentile is the maximum or next to it. */
@@ -51,7 +60,15 @@ record StatisticsView(
       int count) {}
 
   @Schema(name = "TimePoint")
-  record Point(int firstNo, int lastNo, double min, double average, double max) {}
+  record Point(
+      int firstNo,
+      int lastNo,
+      double min,
+      @Schema(description = "first quartile") double q1,
+      double median,
+      @Schema(description = "third quartile") double q3,
+      double average,
+      double max) {}
 
   @Schema(name = "VerdictsByParameter")
   record ByParameter(
@@ -67,7 +84,7 @@ record StatisticsView(
     for (int p = 0; p < result.parameters().size(); p++) {
       parameters.add(byParameter(result, p));
     }
-    return new StatisticsView(times(result), parameters);
+    return new StatisticsView(times(result), parameters, TellingPair.of(result));
   }
 
   private static @Nullable Times times(TestResult result) {
@@ -129,18 +146,21 @@ record StatisticsView(
   private static List<Point> overCases(List<CaseResult> timed) {
     List<CaseResult> ordered =
         timed.stream().sorted(Comparator.comparingInt(CaseResult::no)).toList();
-    int step = Math.max(1, (ordered.size() + MAX_POINTS - 1) / MAX_POINTS);
+    int step = ordered.size() <= MAX_POINTS ? 1 : (ordered.size() + MAX_BOXES - 1) / MAX_BOXES;
     List<Point> points = new ArrayList<>();
     for (int from = 0; from < ordered.size(); from += step) {
       List<CaseResult> range = ordered.subList(from, Math.min(ordered.size(), from + step));
-      double[] times = range.stream().mapToDouble(StatisticsView::time).toArray();
+      double[] times = range.stream().mapToDouble(StatisticsView::time).sorted().toArray();
       points.add(
           new Point(
               range.get(0).no(),
               range.get(range.size() - 1).no(),
-              Arrays.stream(times).min().orElseThrow(),
+              times[0],
+              percentile(times, 0.25),
+              percentile(times, 0.5),
+              percentile(times, 0.75),
               Arrays.stream(times).average().orElseThrow(),
-              Arrays.stream(times).max().orElseThrow()));
+              times[times.length - 1]));
     }
     return points;
   }
@@ -175,7 +195,8 @@ record StatisticsView(
         result.parameters().get(parameter).name(), shown, values.size() - shown.size());
   }
 
-  private static void sort(List<String> values) {
+  /** Sorts numbers by value, other texts as text. */
+  static void sort(List<String> values) {
     try {
       Map<String, Double> numbers = new LinkedHashMap<>();
       values.forEach(v -> numbers.put(v, Double.valueOf(v)));

@@ -289,6 +289,19 @@ class AuthoringStoryTest extends ServerTest {
       assertThat(sum(distance.get("values"), "pass")).isEqualTo(53);
       assertThat(sum(distance.get("values"), "fail")).isEqualTo(2);
 
+      JsonNode failures = api.get(result + "/failures").expect(200).json();
+      assertThat(failures.get("groups")).hasSize(1);
+      assertThat(failures.get("groups").get(0).get("cases").asInt()).isEqualTo(2);
+      assertThat(failures.get("groups").get(0).get("newlyFailing").asInt()).isEqualTo(1);
+      assertThat(failures.get("firstFailing").asInt()).isEqualTo(8);
+      assertThat(failures.get("before").get("buildId").asString()).isEqualTo(before);
+      assertThat(failures.get("before").get("fixed").asInt()).isEqualTo(1);
+      assertThat(failures.get("since").get("buildId").asString()).isEqualTo(before);
+      assertThat(failures.get("since").get("results").asInt()).isEqualTo(2);
+      JsonNode first = api.get("/api/v1/builds/" + before + "/result/failures").json();
+      assertThat(first.has("before")).isFalse();
+      api.get("/api/v1/builds/none/result/failures").expect(404);
+
       JsonNode comparison = api.get(result + "/comparison?with=" + before).expect(200).json();
       assertThat(comparison.get("common").asInt()).isEqualTo(55);
       assertThat(comparison.get("items"))
@@ -310,6 +323,12 @@ class AuthoringStoryTest extends ServerTest {
           .startsWith("<!doctype html>")
           .contains("GetInfraredData", "Std deviation")
           .doesNotContain("<script");
+      assertThat(api.get("/api/v1/builds?search=IR-SENS&size=500").expect(200).json().get("items"))
+          .extracting(b -> b.get("id").asString())
+          .contains(now, before);
+      assertThat(api.get("/api/v1/builds?search=getinfraRED").json().get("total").asInt())
+          .isPositive();
+      assertThat(api.get("/api/v1/builds?search=%25").json().get("total").asInt()).isZero();
       JsonNode history = api.get(activity + "/results?model=" + Activities.MODEL).json();
       assertThat(history.get("items"))
           .extracting(r -> r.get("buildId").asString())
