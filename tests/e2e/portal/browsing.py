@@ -114,6 +114,12 @@ def build(page):
     page.get_by_role("tab", name="Table").wait_for()
 
 
+def actual_of(page, output):
+    """The actual value of an output on the page of a case."""
+    values = page.get_by_role("table", name=re.compile("^Values of case"))
+    return values.get_by_role("row", name=re.compile(f"^{output}")).get_by_role("cell").nth(1).inner_text()
+
+
 def drop(zone, files):
     """Drops files on a zone. `files` maps names to bytes."""
     given = [{"name": name, "base64": base64.b64encode(content).decode()} for name, content in files.items()]

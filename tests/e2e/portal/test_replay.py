@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 
-from portal.browsing import ROOT, expect, home_of, serious, shot, zip_of
+from portal.browsing import ROOT, actual_of, expect, home_of, serious, shot, zip_of
 
 # The cases should end one by one.
 SLOW = "java.util.concurrent.locks.LockSupport.parkNanos(2_000_000_000L);"
@@ -110,7 +110,7 @@ def test_a_case_is_played(page, build):
     assert page.evaluate(DIFFERENCE, [at_begin, at_end]) > 0.002
     assert read_at_end != read_at_begin
     # The last reading is the actual value.
-    actual = page.get_by_text("Actual robot_x").locator("xpath=../..").locator("dd").inner_text()
+    actual = actual_of(page, "robot_x")
     reading = dict(re.findall(r"(\S+)\s*\n\s*(\S+)", read_at_end))["robot_x"]
     assert float(reading) == pytest.approx(float(actual), abs=1e-4)
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from portal.browsing import PICTURES, ROOT, expect, home_of, serious, zip_of
+from portal.browsing import PICTURES, ROOT, actual_of, expect, home_of, serious, zip_of
 
 
 @pytest.fixture(scope="module")
@@ -93,7 +93,7 @@ def test_readings_of_the_recording_can_be_added(page, build):
     page.keyboard.press("Escape")
     expect(plot.get_by_role("img", name="bumped, robot_x over time")).to_be_visible()
     page.get_by_role("group", name="Replay").press("End")
-    actual = page.get_by_text("Actual robot_x").locator("xpath=../..").locator("dd").inner_text()
+    actual = actual_of(page, "robot_x")
     assert float(signals(page)["robot_x"]) == pytest.approx(float(actual), abs=1e-4)
 
 

@@ -1,7 +1,8 @@
 import { Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
+import { RunCaseAgain } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
-import { useBuild } from '@/features/builds';
+import { CaseLog, useBuild } from '@/features/builds';
 import { CaseReplay, useRecordedCases, type StepMark } from '@/features/replay';
 import { CaseFacts, RelationRuns, StepList, useResult, useCase } from '@/features/results';
 import { callTime, SignalPlot, useSignals } from '@/features/signals';
@@ -9,7 +10,9 @@ import { useStateDiagram } from '@/features/states';
 import { ApiError, type StepResult } from '@/shared/api';
 import { decides } from '@/shared/lib/steps';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
-import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
+import { Breadcrumb, Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
+import { eventsOf } from './caseEvents';
+import { DebugCase } from './DebugCase';
 
 const route = getRouteApi('/builds/$buildId/cases/$caseNo');
 
@@ -22,6 +25,7 @@ export function ReplayPage() {
   const no = Number(caseNo);
   const done = build.data?.state === 'DONE';
   const item = useCase(buildId, done ? no : undefined);
+  const result = useResult(buildId, done);
   const signals = useSignals(buildId, no);
   const steps = item.data?.steps ?? [];
   const diagram = useStateDiagram(buildId, steps.length > 0);
@@ -34,29 +38,52 @@ export function ReplayPage() {
       <ProblemAlert title="The build could not be read" error={build.error} />
     );
   }
-  const { model, activityName } = build.data;
+  const { activityId, model, activityName } = build.data;
   return (
-    <Stack gap="lg">
-      <title>{`Case ${no} · ${model} · SITAF`}</title>
-      <Group justify="space-between" align="start">
+    <Stack gap="sm">
+      <title>{`${item.data ? `${VERDICT_LABELS[item.data.verdict].sign} ` : ''}Case ${no} · ${model} · SITAF`}</title>
+      <Group justify="space-between" align="end">
         <div>
-          <Text size="sm">
-            <RouteLink to="/builds/$buildId" params={{ buildId }}>
-              <UserText>{`${activityName}, ${model}`}</UserText>
+          <Breadcrumb>
+            <RouteLink to="/activities">All activities</RouteLink>
+            <RouteLink to="/activities/$activityId" params={{ activityId }}>
+              <UserText>{activityName}</UserText>
             </RouteLink>
-          </Text>
-          <Title order={1} size="h2">
+            <RouteLink to="/builds/$buildId" params={{ buildId }}>
+              <UserText>{model}</UserText>
+            </RouteLink>
+          </Breadcrumb>
+          <Title order={1} size="h3">
             Case {no}
           </Title>
         </div>
-        <Neighbours key={buildId} buildId={buildId} no={no} />
+        <Group gap="sm">
+          {done && <RunCaseAgain build={build.data} no={no} />}
+          <DebugCase build={build.data} no={no} />
+          <Neighbours key={buildId} buildId={buildId} no={no} />
+        </Group>
       </Group>
       <CaseReplay
         key={no}
         build={build.data}
         caseNo={no}
         verdict={item.data?.verdict}
-        facts={done && <CaseOfResult buildId={buildId} no={no} />}
+        facts={
+          done && (
+            <Stack gap="sm" miw={0}>
+              <CaseOfResult buildId={buildId} no={no} />
+              <CaseLog buildId={buildId} no={no} />
+            </Stack>
+          )
+        }
+        events={(recording) =>
+          eventsOf(
+            item.data,
+            result.data?.parameters ?? [],
+            signals.data ?? null,
+            callTime(signals.data ?? null, recording),
+          )
+        }
         loading={signals.isPending || (done && item.isPending)}
         startAt={(recording) =>
           at === undefined ? undefined : callTime(signals.data ?? null, recording) + at
@@ -118,7 +145,7 @@ function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
   return (
     <Section title={`Result: ${VERDICT_LABELS[item.data.verdict].label}`}>
       {item.data.message && (
-        <Text role="note">
+        <Text role="note" size="sm">
           <UserText>{item.data.message}</UserText>
         </Text>
       )}

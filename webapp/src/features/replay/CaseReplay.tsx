@@ -2,6 +2,7 @@ import { Anchor, Stack } from '@mantine/core';
 import type { ReactNode } from 'react';
 import type { Build, Verdict } from '@/shared/api';
 import { Loading, ProblemAlert } from '@/shared/ui';
+import type { EventMark } from './EventMarks';
 import { NotRecorded } from './NotRecorded';
 import { Player } from './Player';
 import type { StepMark } from './StepMarks';
@@ -22,6 +23,8 @@ interface CaseReplayProps {
   plot?: ((recording: Recording | null, playback: Playback | null) => ReactNode) | undefined;
   /** The steps of a sequence. */
   marks?: ((recording: Recording) => readonly StepMark[]) | undefined;
+  /** Faults of devices, and what conditions over time say. */
+  events?: ((recording: Recording) => readonly EventMark[]) | undefined;
   /** Whether `startAt` and `plot` are not known yet. */
   loading?: boolean;
 }
@@ -36,6 +39,7 @@ export function CaseReplay({
   startAt,
   plot,
   marks,
+  events,
   loading = false,
 }: CaseReplayProps) {
   const { data, error, isPending } = useRecording(build.id, caseNo);
@@ -61,6 +65,7 @@ export function CaseReplay({
         facts={facts}
         startAt={startAt?.(data)}
         marks={marks?.(data)}
+        events={events?.(data)}
         plot={plot && ((playback) => plot(data, playback))}
       />
       <Anchor

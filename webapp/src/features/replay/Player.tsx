@@ -1,6 +1,7 @@
 import { Button, Checkbox, Group, NativeSelect, Slider, Stack, Text } from '@mantine/core';
 import { useEffect, useRef, useState, type KeyboardEvent, type ReactNode } from 'react';
 import type { Verdict } from '@/shared/api';
+import { EventMarks, type EventMark } from './EventMarks';
 import { Readings, ReadingsTable } from './Readings';
 import { frameAt, type Recording } from './recording';
 import classes from './replay.module.css';
@@ -24,6 +25,8 @@ interface PlayerProps {
   startAt?: number | undefined;
   /** The steps of a sequence. */
   marks?: readonly StepMark[] | undefined;
+  /** Faults of devices, and what conditions over time say. */
+  events?: readonly EventMark[] | undefined;
   /** More about the case over time, shown below the scene. */
   plot?: ((playback: Playback) => ReactNode) | undefined;
 }
@@ -37,6 +40,7 @@ export function Player({
   onEnd,
   startAt,
   marks,
+  events,
   plot,
 }: PlayerProps) {
   // No autoplay if the user prefers reduced motion.
@@ -61,7 +65,7 @@ export function Player({
   }
 
   return (
-    <Stack gap="md">
+    <Stack gap="sm">
       <div
         className={facts ? classes.withFacts : classes.alone}
         role="group"
@@ -79,6 +83,14 @@ export function Player({
             onReady={setBody}
           />
           <Controls recording={recording} playback={playback} frame={frame}>
+            {events && events.length > 0 && (
+              <EventMarks
+                events={events}
+                begin={playback.begin}
+                end={playback.end}
+                onSeek={playback.seek}
+              />
+            )}
             {marks && marks.length > 0 && (
               <StepMarks
                 marks={marks}
@@ -89,11 +101,11 @@ export function Player({
               />
             )}
           </Controls>
-          <Group gap="lg">
+          <Group gap="md">
             <NativeSelect
               aria-label="Speed"
               size="xs"
-              w={110}
+              w={84}
               value={String(playback.speed)}
               data={SPEEDS.map((speed) => ({ value: String(speed), label: `× ${speed}` }))}
               onChange={(event) => {
@@ -101,7 +113,7 @@ export function Player({
               }}
             />
             <Checkbox
-              size="sm"
+              size="xs"
               label={body === null ? 'Follow (no moving body)' : `Follow ${body}`}
               disabled={body === null}
               checked={following && body !== null}
@@ -109,16 +121,16 @@ export function Player({
                 setFollowing(event.currentTarget.checked);
               }}
             />
+            <Text size="xs" c="dimmed" className={classes.help ?? ''}>
+              Space: play or pause. Comma, full stop: previous or next frame. Drag: rotate. Mouse
+              wheel: zoom.
+            </Text>
           </Group>
           {plot?.(playback)}
-          <Text size="xs" c="dimmed">
-            Space: play or pause. Comma, full stop: previous or next frame. Home, End: start or end.
-            Drag: rotate. Mouse wheel: zoom.
-          </Text>
-          <Readings recording={recording} frame={frame} />
         </Stack>
         {facts}
       </div>
+      <Readings recording={recording} frame={frame} />
       <ReadingsTable recording={recording} />
     </Stack>
   );
@@ -167,8 +179,6 @@ function Controls({
   children,
 }: {
   recording: Recording;
-  /** The verdict of the case, if it is known. */
-  verdict?: Verdict | undefined;
   playback: Playback;
   frame: number;
   /** Shown below the time axis. */

@@ -1,10 +1,14 @@
 import { Alert, Loader, useComputedColorScheme } from '@mantine/core';
 import { useEffect, useRef, useState, type KeyboardEvent } from 'react';
+import type { CameraPreset } from './cameraPresets';
 import type { Verdict } from '@/shared/api';
+import { formatCount } from '@/shared/lib/format';
 import { VERDICT_COLOURS, VERDICT_LABELS } from '@/shared/lib/verdicts';
 import type { Recording } from './recording';
 import classes from './replay.module.css';
-import type { Stage } from './stage';
+import { SceneMenu } from './SceneMenu';
+import type { FrameCost, Stage } from './stage';
+import { useSceneOptions } from './useSceneOptions';
 
 interface StageViewProps {
   recording: Recording;
@@ -19,6 +23,7 @@ interface StageViewProps {
 }
 
 const NO_WEBGL = 'WebGL is not available in this browser. The table of readings has the same data.';
+const COST_INTERVAL_MS = 500;
 const ROTATION = Math.PI / 24;
 /** The colour of the trail without a verdict. */
 const NEUTRAL = '#2a94a2';
@@ -31,6 +36,7 @@ export function StageView({ recording, verdict, time, following, label, onReady 
   const [loaded, setLoaded] = useState<Recording | null>(null);
   const [failure, setFailure] = useState(() => (hasWebGl() ? null : NO_WEBGL));
   const dark = useComputedColorScheme('light') === 'dark';
+  const [options, setOptions] = useSceneOptions();
   const ready = useRef(onReady);
   useEffect(() => {
     ready.current = onReady;
@@ -77,6 +83,9 @@ export function StageView({ recording, verdict, time, following, label, onReady 
     stage?.setDark(dark);
   }, [stage, dark]);
   useEffect(() => {
+    stage?.setOptions(options);
+  }, [stage, options]);
+  useEffect(() => {
     if (loaded === recording) stage?.seek(time);
   }, [stage, loaded, recording, time]);
   useEffect(() => {
@@ -100,22 +109,49 @@ export function StageView({ recording, verdict, time, following, label, onReady 
     );
   }
   return (
-    <div
-      ref={place}
-      className={classes.stage}
-      role="application"
-      aria-roledescription="3D view"
-      aria-label={`${label}. Arrow keys rotate the camera, plus and minus zoom, R resets the view.`}
-      tabIndex={0}
-      data-loaded={loaded === recording}
-      onKeyDown={handleKey}
-    >
-      {verdict && (
-        <span className={classes.verdict} style={{ borderColor: VERDICT_COLOURS[verdict] }}>
-          <span aria-hidden>{VERDICT_LABELS[verdict].sign}</span> {VERDICT_LABELS[verdict].label}
-        </span>
-      )}
-      {loaded !== recording && <Loader size="sm" className={classes.loading ?? ''} aria-hidden />}
+    <div className={classes.scene}>
+      <div
+        ref={place}
+        className={classes.stage}
+        role="application"
+        aria-roledescription="3D view"
+        aria-label={`${label}. Arrow keys rotate the camera, plus and minus zoom, R resets the view.`}
+        tabIndex={0}
+        data-loaded={loaded === recording}
+        onKeyDown={handleKey}
+      >
+        {verdict && (
+          <span className={classes.verdict} style={{ borderColor: VERDICT_COLOURS[verdict] }}>
+            <span aria-hidden>{VERDICT_LABELS[verdict].sign}</span> {VERDICT_LABELS[verdict].label}
+          </span>
+        )}
+        {loaded !== recording && <Loader size="sm" className={classes.loading ?? ''} aria-hidden />}
+      </div>
+      <SceneMenu
+        options={options}
+        onOptions={setOptions}
+        onView={(preset: CameraPreset) => stage?.setView(preset)}
+      />
+      {options.cost && stage && <Cost stage={stage} />}
+    </div>
+  );
+}
+
+/** What a frame costs. */
+function Cost({ stage }: { stage: Stage }) {
+  const [cost, setCost] = useState<FrameCost>(() => stage.cost());
+  useEffect(() => {
+    const timer = setInterval(() => {
+      setCost(stage.cost());
+    }, COST_INTERVAL_MS);
+    return () => {
+      clearInterval(timer);
+    };
+  }, [stage]);
+  return (
+    <div className={classes.cost} data-testid="cost">
+      {formatCount(cost.drawCalls)} draw calls, {formatCount(cost.triangles)} triangles,{' '}
+      {cost.scriptMs.toFixed(1)} ms of script per frame
     </div>
   );
 }
@@ -151,7 +187,7 @@ function moveCamera(stage: Stage, key: string): boolean {
       return true;
     case 'r':
     case 'R':
-      stage.reset();
+      stage.setView('default');
       return true;
     default:
       return false;

@@ -1,4 +1,6 @@
+export { CasePreview } from './CasePreview';
 export { CaseReplay } from './CaseReplay';
+export type { EventMark } from './EventMarks';
 export { ReplayPair } from './ReplayPair';
 export { LiveReplay } from './LiveReplay';
 export { useRecordedCases } from './queries';

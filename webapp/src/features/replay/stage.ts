@@ -1,46 +1,57 @@
-import {
-  Color,
-  DirectionalLight,
-  HemisphereLight,
-  PerspectiveCamera,
-  Scene,
-  Spherical,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer, type Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { createFloor } from './floor';
+import { createMoves, DIRECTIONS } from './camera';
+import type { CameraPreset } from './cameraPresets';
 import { loadPlay, type Play } from './play';
 import type { Recording } from './recording';
+import { addSurroundings } from './surroundings';
 
-const BACKGROUND = { light: '#e9eef2', dark: '#171b1f' } as const;
-/** From where the camera looks at the target. */
-const DIRECTION = new Vector3(-0.75, 0.7, 0.95).normalize();
-/** Distance of the camera, in radii of what it frames. */
-const DISTANCE = 2.6;
+/** What the user has switched on. */
+export interface SceneOptions {
+  shadows: boolean;
+  trail: boolean;
+  beams: boolean;
+  /** The coordinate frames of bodies and sensors. */
+  frames: boolean;
+  /** Whether the robot has the colour of the verdict. */
+  tint: boolean;
+}
+
+/** What the last frame cost. */
+export interface FrameCost {
+  drawCalls: number;
+  triangles: number;
+  /** Time of the script, in milliseconds, on average over the last frames. */
+  scriptMs: number;
+}
 
 /** A 3D view of recordings. It renders only after a change. */
 export interface Stage {
   /**
    * Shows a recording. The camera is kept if the previous recording was of the same world.
    *
-   * @param trailColour of the path of the robot
+   * @param colour of the path of the robot, and of the robot if that is switched on
    */
-  load: (recording: Recording, trailColour: string) => Promise<void>;
+  load: (recording: Recording, colour: string) => Promise<void>;
   /** Shows a time, in seconds of simulation time. */
   seek: (time: number) => void;
   /** The body that the camera can follow; null if no body moves. */
   readonly followable: () => string | null;
   follow: (on: boolean) => void;
   setDark: (dark: boolean) => void;
+  setOptions: (options: SceneOptions) => void;
+  /** Frames the robot and its path from a side. */
+  setView: (preset: CameraPreset) => void;
   /** Rotates the camera around its target, in radians. */
   rotate: (azimuth: number, elevation: number) => void;
   /** Moves the camera closer; farther for factors below 1. */
   zoom: (factor: number) => void;
-  /** Frames the robot and its path. */
-  reset: () => void;
+  cost: () => FrameCost;
   dispose: () => void;
 }
+
+/** The share of the newest frame in the average of the script's time. */
+const NEWEST = 0.1;
 
 /**
  * Creates a stage that fills an element.
@@ -49,25 +60,30 @@ export interface Stage {
  */
 export function openStage(parent: HTMLElement): Stage {
   const renderer = new WebGLRenderer({ antialias: true });
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
   const canvas = renderer.domElement;
   canvas.style.display = 'block';
   parent.append(canvas);
   const scene = new Scene();
   const camera = new PerspectiveCamera(45, 1, 0.01, 200);
   const controls = new OrbitControls(camera, canvas);
-  const sun = new DirectionalLight('#ffffff', 1.5);
-  sun.position.set(2, 5, 3);
-  const sky = new HemisphereLight('#ffffff', '#8a9099', 1.1);
-  const floor = createFloor();
-  scene.add(sky, sun, floor.root);
+  const moves = createMoves(camera, controls);
+  const surroundings = addSurroundings(scene, renderer.capabilities.getMaxAnisotropy());
 
   let play: Play | null = null;
+  let options: SceneOptions | null = null;
   let following = false;
+  let defaultSide = DIRECTIONS.default;
   let frameRequest = 0;
+  let scriptMs = 0;
 
   const render = () => {
     frameRequest = 0;
+    const begin = performance.now();
+    surroundings.follow(camera);
     renderer.render(scene, camera);
+    scriptMs += (performance.now() - begin - scriptMs) * (scriptMs === 0 ? 1 : NEWEST);
   };
   const invalidate = () => {
     frameRequest ||= requestAnimationFrame(render);
@@ -87,24 +103,27 @@ export function openStage(parent: HTMLElement): Stage {
   controls.addEventListener('change', invalidate);
 
   const lookAt = (target: Vector3) => {
-    camera.position.add(target).sub(controls.target);
-    controls.target.copy(target);
-    controls.update();
+    moves.lookAt(target);
+    surroundings.lookAt(target);
   };
-
-  const reset = () => {
+  const setView = (preset: CameraPreset) => {
     if (!play) return;
     const { center, radius } = play.frame();
-    const target = (following && play.position()) || center;
-    controls.target.copy(target);
-    camera.position.copy(target).addScaledVector(DIRECTION, radius * DISTANCE);
-    controls.update();
+    const direction = preset === 'default' ? defaultSide : DIRECTIONS[preset];
+    moves.frame({ center: (following && play.position()) || center, radius }, direction);
+    surroundings.lookAt(controls.target);
+    invalidate();
+  };
+  const applyOptions = () => {
+    if (!options) return;
+    renderer.shadowMap.enabled = options.shadows;
+    play?.setOptions(options);
     invalidate();
   };
 
   return {
-    async load(recording, trailColour) {
-      const next = await loadPlay(recording, trailColour);
+    async load(recording, colour) {
+      const next = await loadPlay(recording, colour);
       const sameWorld = play?.world === next.world;
       if (play) {
         scene.remove(play.root, play.trail.root);
@@ -114,8 +133,12 @@ export function openStage(parent: HTMLElement): Stage {
       next.trail.setResolution(parent.clientWidth, parent.clientHeight);
       scene.add(next.root, next.trail.root);
       next.seek(recording.times[0] ?? 0);
-      floor.fit(next.floorHeight, next.frame());
-      if (!sameWorld) reset();
+      surroundings.fit(next.floorHeight, next.frame());
+      applyOptions();
+      if (!sameWorld) {
+        defaultSide = moves.freeSide(next.frame(), next.isHiddenFrom);
+        setView('default');
+      }
       invalidate();
     },
     seek(time) {
@@ -135,32 +158,33 @@ export function openStage(parent: HTMLElement): Stage {
       invalidate();
     },
     setDark(dark) {
-      scene.background = new Color(dark ? BACKGROUND.dark : BACKGROUND.light);
-      sky.intensity = dark ? 0.8 : 1.1;
-      floor.setDark(dark);
+      surroundings.setDark(dark);
       invalidate();
     },
+    setOptions(wanted) {
+      options = wanted;
+      applyOptions();
+    },
+    setView,
     rotate(azimuth, elevation) {
-      const offset = new Spherical().setFromVector3(camera.position.clone().sub(controls.target));
-      offset.theta += azimuth;
-      offset.phi += elevation;
-      offset.makeSafe();
-      camera.position.setFromSpherical(offset).add(controls.target);
-      controls.update();
+      moves.rotate(azimuth, elevation);
       invalidate();
     },
     zoom(factor) {
-      camera.position.sub(controls.target).divideScalar(factor).add(controls.target);
-      controls.update();
+      moves.zoom(factor);
       invalidate();
     },
-    reset,
+    cost: () => ({
+      drawCalls: renderer.info.render.calls,
+      triangles: renderer.info.render.triangles,
+      scriptMs,
+    }),
     dispose() {
       cancelAnimationFrame(frameRequest);
       resize.disconnect();
       controls.dispose();
       play?.dispose();
-      floor.dispose();
+      surroundings.dispose();
       renderer.dispose();
       // Browsers limit the number of contexts and release unused ones late.
       renderer.forceContextLoss();

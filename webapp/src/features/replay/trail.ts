@@ -18,8 +18,14 @@ export interface Trail {
 export function createTrail(path: readonly PathPoint[], color: string): Trail {
   const root = new Group();
   const geometry = new LineGeometry();
-  const past = new LineMaterial({ color, linewidth: WIDTH_PX });
-  const future = new LineMaterial({ color, linewidth: WIDTH_PX, transparent: true, opacity: 0.3 });
+  const past = new LineMaterial({ color, linewidth: WIDTH_PX, fog: false });
+  const future = new LineMaterial({
+    color,
+    linewidth: WIDTH_PX,
+    transparent: true,
+    opacity: 0.3,
+    fog: false,
+  });
   const pastGeometry = new LineGeometry();
   if (path.length > 1) {
     const points = path.flatMap(({ point: { x, y, z } }) => [x, y, z]);

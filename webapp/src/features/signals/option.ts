@@ -4,10 +4,10 @@ import { isBinary, type Lane } from './lanes';
 /** Pixels. The overlay of the plot relies on these positions. */
 export const LEFT = 56;
 export const RIGHT = 12;
-export const LANE_HEIGHT = 96;
+export const LANE_HEIGHT = 76;
 export const AXIS_HEIGHT = 24;
-const TITLE_HEIGHT = 26;
-const GAP = 8;
+const TITLE_HEIGHT = 22;
+const GAP = 6;
 
 const LINE = '#1c7ed6';
 const MUTED = '#868e96';
@@ -55,7 +55,7 @@ export function plotOption(
         fontSize: 10,
         width: LEFT - 10,
         overflow: 'truncate',
-        formatter: (value: number) => String(Number(value.toPrecision(4))),
+        formatter: formatTick,
       },
       splitLine: { lineStyle: { opacity: 0.25 } },
     })),
@@ -71,4 +71,11 @@ export function plotOption(
       data: lane.times.map((time, k) => [time, lane.values[k] ?? '-']),
     })),
   };
+}
+
+/** Small numbers have an exponent, as there is room for few digits. */
+function formatTick(value: number): string {
+  return value !== 0 && Math.abs(value) < 1e-3
+    ? value.toExponential(0)
+    : String(Number(value.toPrecision(4)));
 }
