@@ -29,7 +29,7 @@ describe('a result', () => {
       'Expected',
       'Actual',
       'Actual − expected',
-      'Time (µs)',
+      'Time',
     ]);
     expect(cells(names)).toEqual([
       'IndexOfSensor',
@@ -49,7 +49,7 @@ describe('a result', () => {
       '5.0',
       '10.0',
       '+5',
-      '4.250',
+      '4.25 µs',
     ]);
   });
 
@@ -100,7 +100,7 @@ describe('a result', () => {
     server.cases.set('b1', cases);
     server.builds.push(doneBuild('b1', cases));
     openPortal(server, '/builds/b1');
-    await screen.findByText('Std deviation (µs)');
+    await screen.findByText('Std deviation');
     const facts = Object.fromEntries(
       screen
         .getAllByRole('term')
@@ -112,11 +112,79 @@ describe('a result', () => {
       Fail: '1',
       Error: '1',
       'Not executed': '1',
-      'Min (µs)': '4.250',
-      'Max (µs)': '4.750',
-      'Average (µs)': '4.500',
-      'Std deviation (µs)': '0.250',
+      Min: '4.25 µs',
+      Max: '4.75 µs',
+      Average: '4.50 µs',
+      'Std deviation': '250 ns',
     });
+  });
+
+  test('begins with what failed, since when, and the first failing case', async () => {
+    const cases = [
+      resultCase(1, 'PASS'),
+      resultCase(2, 'FAIL', { message: 'return is 10.0', expected: { return: '5.0' } }),
+      resultCase(3, 'ERROR', { message: 'ValueError: no sensor' }),
+    ];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    server.failures = {
+      groups: [
+        {
+          verdict: 'FAIL',
+          message: 'return is 10.0',
+          uniform: false,
+          cases: 1,
+          numbers: [2],
+          newlyFailing: 1,
+        },
+        {
+          verdict: 'ERROR',
+          message: 'ValueError: no sensor',
+          uniform: true,
+          cases: 1,
+          numbers: [3],
+        },
+      ],
+      leftOut: 3,
+      firstFailing: 2,
+      before: {
+        buildId: 'b0',
+        received: '2026-03-09T12:00:00Z',
+        newlyFailing: 1,
+        stillFailing: 1,
+        fixed: 4,
+      },
+      since: {
+        buildId: 'bx',
+        received: '2026-03-01T12:00:00Z',
+        commit: 'abcdef0123456789',
+        results: 7,
+        passedBefore: true,
+      },
+    };
+    const { user } = openPortal(server, '/builds/b1');
+    expect(await screen.findByText('2 of 3 cases fail')).toBeVisible();
+    const groups = await screen.findByRole('table', { name: 'What failed' });
+    const rows = within(groups).getAllByRole('row').slice(1);
+    expect(rows.map((row) => cells(row).slice(0, 2))).toEqual([
+      ['1', '✕ Fail'],
+      ['1', '! Error'],
+    ]);
+    expect(rows[0]).toHaveTextContent(
+      'return is 10.0Numbers differ between the cases. Case 2 1 new',
+    );
+    expect(screen.getByText(/3 other groups/)).toBeVisible();
+    expect(screen.getByText(/7 results in a row/)).toHaveTextContent(
+      /^Failing since the build of .* \(commit abcdef01.*\), 7 results in a row\. Against the build before: 1 newly failing, 1 still failing, 4 fixed\.$/,
+    );
+    const first = await screen.findByRole('region', { name: 'First failing case' });
+    expect(within(first).getByRole('link', { name: 'Open case 2' })).toHaveAttribute(
+      'href',
+      '/builds/b1/cases/2',
+    );
+    expect(within(first).getByRole('row', { name: /^return/ })).toHaveTextContent('5.010.0+5');
+    await user.click(within(groups).getByRole('button', { name: 'Open case 3' }));
+    expect(await screen.findByRole('dialog', { name: /^Case 3: Error/ })).toBeVisible();
   });
 
   test('shows the median of repeated calls with its interval, and calls that differ', async () => {
@@ -133,13 +201,16 @@ describe('a result', () => {
       .getAllByRole('row', { hidden: true })
       .slice(2)
       .map((row) => row.lastElementChild);
-    expect(times.map((time) => time?.textContent)).toEqual(['4.100 ± 0.250', '4.100 ± 0.250 ≠']);
+    expect(times.map((time) => time?.textContent)).toEqual([
+      '4.10 µs ± 250 ns',
+      '4.10 µs ± 250 ns ≠',
+    ]);
     expect(times[0]).toHaveAttribute(
       'title',
-      'Median of 20 calls, 95 % interval 4.000 to 4.500; first call 370.000',
+      'Median of 20 calls, 95 % interval 4.00 µs to 4.50 µs; first call 370 µs',
     );
     expect(await screen.findByText('call 7: return is 1, not 0')).toBeVisible();
-    expect(screen.getByText('4.000 to 4.500')).toBeVisible();
+    expect(screen.getByText('4.00 µs to 4.50 µs')).toBeVisible();
   });
 
   test('is filtered by verdict through its address', async () => {
@@ -305,8 +376,8 @@ describe('a comparison', () => {
       '5.0',
       'Pass',
       'Pass',
-      '4.000',
-      '6.000',
+      '4.00 µs',
+      '6.00 µs',
       '1.50',
       '0.000068',
       '',

@@ -17,9 +17,16 @@ test.each(['plain', 'Größe', '거리', '𝄞 and 🤖', 'two\nlines\tand a tab
   },
 );
 
-test('times have three decimals, and missing times are a dash', () => {
-  expect(formatTime(4.605137)).toBe('4.605');
-  expect(formatTime(1234.5)).toBe('1,234.500');
+test('times have three digits in the unit that fits, and missing times are a dash', () => {
+  expect(formatTime(64_254.855)).toBe('64.3 ms');
+  expect(formatTime(4.605137)).toBe('4.61 µs');
+  expect(formatTime(0.0421)).toBe('42.1 ns');
+  expect(formatTime(999.96)).toBe('1.00 ms');
+  expect(formatTime(999_499)).toBe('999 ms');
+  expect(formatTime(1.5e6)).toBe('1.50 s');
+  expect(formatTime(125e6)).toBe('2 min 5 s');
+  expect(formatTime(0)).toBe('0 µs');
+  expect(formatTime(-1500)).toBe('-1.50 ms');
   expect([undefined, null, Number.NaN].map(formatTime)).toEqual(['–', '–', '–']);
 });
 

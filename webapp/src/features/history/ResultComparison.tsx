@@ -77,8 +77,8 @@ function Cases({
           ))}
           <Table.Th>Before</Table.Th>
           <Table.Th>Now</Table.Th>
-          <Table.Th ta="right">Time before (µs)</Table.Th>
-          <Table.Th ta="right">Time now (µs)</Table.Th>
+          <Table.Th ta="right">Time before</Table.Th>
+          <Table.Th ta="right">Time now</Table.Th>
           {withTimes && <Table.Th ta="right">Ratio</Table.Th>}
           {withTimes && <Table.Th ta="right">p</Table.Th>}
           <Table.Th>Message</Table.Th>

@@ -3,7 +3,7 @@ import { useMemo, useState } from 'react';
 import type { EChartsCoreOption } from 'echarts/core';
 import type { ResultOfBuild } from '@/shared/api';
 import { shortCommit } from '@/shared/lib/commits';
-import { formatInstant, formatTime } from '@/shared/lib/format';
+import { formatInstant, formatTime, inUnit, timeUnitOf } from '@/shared/lib/format';
 import { VERDICTS, VERDICT_COLOURS, VERDICT_LABELS, countOf } from '@/shared/lib/verdicts';
 import {
   ButtonLink,
@@ -63,7 +63,7 @@ export function ResultHistory({ activityId, model }: ResultHistoryProps) {
                 {VERDICT_LABELS[verdict].label}
               </Table.Th>
             ))}
-            <Table.Th ta="right">Average (µs)</Table.Th>
+            <Table.Th ta="right">Average time</Table.Th>
             <Table.Th>Agent</Table.Th>
             <Table.Th>Commit</Table.Th>
           </Table.Tr>
@@ -126,6 +126,8 @@ function HistoryGraph({ items }: { items: readonly ResultOfBuild[] }) {
 }
 
 function historyOption(oldestFirst: readonly ResultOfBuild[]): EChartsCoreOption {
+  const averages = oldestFirst.map(({ summary }) => summary.processingTime?.average ?? null);
+  const unit = timeUnitOf(Math.max(...averages.map((average) => average ?? 0)));
   return {
     tooltip: { trigger: 'axis' },
     legend: { top: 0 },
@@ -137,7 +139,7 @@ function historyOption(oldestFirst: readonly ResultOfBuild[]): EChartsCoreOption
     },
     yAxis: [
       { type: 'value', name: 'cases', minInterval: 1 },
-      { type: 'value', name: 'µs', splitLine: { show: false } },
+      { type: 'value', name: unit.name, splitLine: { show: false } },
     ],
     series: [
       ...VERDICTS.map((verdict) => ({
@@ -153,7 +155,9 @@ function historyOption(oldestFirst: readonly ResultOfBuild[]): EChartsCoreOption
         name: 'Average time',
         yAxisIndex: 1,
         itemStyle: { color: '#2a94a2' },
-        data: oldestFirst.map(({ summary }) => summary.processingTime?.average ?? null),
+        data: averages.map(
+          (average) => average && Number(inUnit(average, unit).replaceAll(',', '')),
+        ),
       },
     ],
   };

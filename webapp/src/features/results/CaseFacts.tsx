@@ -1,8 +1,9 @@
 import type { ReactNode } from 'react';
 import type { ResultCase, ResultParameter } from '@/shared/api';
 import { formatTime, plural } from '@/shared/lib/format';
+import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { UserText } from '@/shared/ui';
-import { differenceOf } from './difference';
+import { CaseValues } from './CaseValues';
 import classes from './results.module.css';
 
 export type Trajectory = ResultCase['trajectories'][number];
@@ -17,44 +18,26 @@ interface CaseFactsProps {
 /** The inputs of a case, its expected and actual outputs, and its times. */
 export function CaseFacts({ item, parameters, momentLink }: CaseFactsProps) {
   return (
-    <dl className={classes.facts}>
-      {parameters.map((parameter, index) => (
+    <>
+      <CaseValues item={item} parameters={parameters} />
+      <dl className={classes.facts}>
+        {item.trajectories.map((trajectory) => (
+          <Fact
+            key={`t ${trajectory.name}`}
+            name={`Condition over time: ${trajectory.name}`}
+            value={describe(trajectory)}
+            more={trajectory.verdict === 'FAIL' && momentLink?.(item, trajectory)}
+          />
+        ))}
+        {item.repeated && <RepeatedFacts repeated={item.repeated} />}
         <Fact
-          key={parameter.name}
-          name={`${parameter.name} (${parameter.type})`}
-          value={item.values[index] ?? ''}
+          name={`Time in the component${item.repeated ? ', first call' : ''}`}
+          value={formatTime(item.processingTimeUs)}
         />
-      ))}
-      {entriesOf(item.expected).map(([name, value]) => (
-        <Fact key={`e ${name}`} name={`Expected ${name}`} value={value} />
-      ))}
-      {entriesOf(item.actual).map(([name, value]) => (
-        <Fact key={`a ${name}`} name={`Actual ${name}`} value={value} />
-      ))}
-      {entriesOf(item.actual).map(([name, value]) => {
-        const difference = differenceOf(item.expected?.[name], value);
-        return (
-          difference !== null && (
-            <Fact key={`d ${name}`} name={`Actual − expected ${name}`} value={difference} />
-          )
-        );
-      })}
-      {item.trajectories.map((trajectory) => (
-        <Fact
-          key={`t ${trajectory.name}`}
-          name={`Condition over time: ${trajectory.name}`}
-          value={describe(trajectory)}
-          more={trajectory.verdict === 'FAIL' && momentLink?.(item, trajectory)}
-        />
-      ))}
-      {item.repeated && <RepeatedFacts repeated={item.repeated} />}
-      <Fact
-        name={`Time in the component${item.repeated ? ', first call' : ''} (µs)`}
-        value={formatTime(item.processingTimeUs)}
-      />
-      <Fact name="Time in virtual hardware (µs)" value={formatTime(item.hardwareUs)} />
-      <Fact name="Time in stubs (µs)" value={formatTime(item.stubUs)} />
-    </dl>
+        <Fact name="Time in virtual hardware" value={formatTime(item.hardwareUs)} />
+        <Fact name="Time in stubs" value={formatTime(item.stubUs)} />
+      </dl>
+    </>
   );
 }
 
@@ -64,12 +47,12 @@ function RepeatedFacts({ repeated }: { repeated: NonNullable<ResultCase['repeate
   return (
     <>
       <Fact
-        name={`Median of ${plural(calls, 'repeated call')} after ${plural(warmUp, 'call')} to warm up (µs)`}
+        name={`Median of ${plural(calls, 'repeated call')} after ${plural(warmUp, 'call')} to warm up`}
         value={formatTime(medianUs)}
       />
       {lowUs !== undefined && highUs !== undefined && (
         <Fact
-          name="95 % interval of the median (µs)"
+          name="95 % interval of the median"
           value={`${formatTime(lowUs)} to ${formatTime(highUs)}`}
         />
       )}
@@ -93,10 +76,10 @@ function Fact({ name, value, more }: { name: string; value: string; more?: React
 
 /** The verdict, when it was decided, and by how much. */
 function describe({ verdict, at, margin }: Trajectory): string {
-  if (at === undefined || margin === undefined) return verdict;
-  return `${verdict} at ${at.toString()} s, margin ${margin}`;
+  if (at === undefined || margin === undefined) return VERDICT_LABELS[verdict].label;
+  return `${VERDICT_LABELS[verdict].label} at ${short(at)} s, margin ${short(Number(margin))}`;
 }
 
-function entriesOf(outputs: Record<string, string> | null | undefined): [string, string][] {
-  return Object.entries(outputs ?? {});
+function short(value: number): string {
+  return String(Number(value.toPrecision(6)));
 }

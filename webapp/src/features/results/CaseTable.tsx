@@ -201,7 +201,7 @@ function Head({ groups, outputs, failures, sequences }: Columns) {
               {label}
             </th>
           ))}
-        <th rowSpan={2}>Time (µs)</th>
+        <th rowSpan={2}>Time</th>
       </tr>
       <tr>
         {groups.flatMap((group) =>

@@ -3,7 +3,16 @@ import { useMemo, type ReactNode } from 'react';
 import type { ResultStatistics, ResultSummary as Summary } from '@/shared/api';
 import { formatTime, plural } from '@/shared/lib/format';
 import { Chart, Loading, ProblemAlert, Section, UserText } from '@/shared/ui';
-import { faultyValues, timeHistogram, timesOverCases, verdictPie, verdictsByValue } from './graphs';
+import {
+  failingPairs,
+  faultyValues,
+  timeHistogram,
+  timesOverCases,
+  verdictMap,
+  verdictPie,
+  verdictsByValue,
+  type TellingPair,
+} from './graphs';
 import { useResult, useStatistics, type CaseFilter } from './queries';
 import classes from './results.module.css';
 
@@ -25,7 +34,9 @@ export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
       />
     );
   }
-  const { times, parameters } = statistics.data;
+  const { times, parameters, tellingPair } = statistics.data;
+  const varying = parameters.filter(({ values, leftOut }) => values.length + leftOut > 1);
+  const constant = parameters.filter(({ values, leftOut }) => values.length + leftOut === 1);
   return (
     <Stack gap="xl">
       <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
@@ -38,6 +49,7 @@ export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
           </Section>
         )}
       </SimpleGrid>
+      {tellingPair && <VerdictMap pair={tellingPair} />}
       {times ? (
         <Section title="Processing time over the cases">
           <OverCases times={times} />
@@ -46,8 +58,16 @@ export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
         <Text c="dimmed">No times were measured.</Text>
       )}
       <Section title="Verdicts by parameter value">
+        {constant.length > 0 && (
+          <Text size="sm" c="dimmed">
+            Same in all cases:{' '}
+            <UserText>
+              {constant.map(({ name, values }) => `${name} = ${values[0]?.value ?? ''}`).join(', ')}
+            </UserText>
+          </Text>
+        )}
         <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
-          {parameters.map((parameter) => (
+          {varying.map((parameter) => (
             <ByParameter
               key={parameter.name}
               parameter={parameter}
@@ -59,6 +79,25 @@ export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
         </SimpleGrid>
       </Section>
     </Stack>
+  );
+}
+
+/** The two parameters that tell most about the failures. */
+function VerdictMap({ pair }: { pair: TellingPair }) {
+  const option = useMemo(() => verdictMap(pair), [pair]);
+  const failing = failingPairs(pair, 3);
+  return (
+    <Section title="Where cases fail">
+      <Text size="sm" c="dimmed">
+        The two parameters that tell most about the verdict.{' '}
+        <UserText>{`${failing.join('; ')}.`}</UserText>
+      </Text>
+      <Chart
+        label={`Failing cases by ${pair.first} and ${pair.second}. ${failing.join('; ')}`}
+        option={option}
+        height={Math.min(640, 110 + 26 * pair.secondValues.length)}
+      />
+    </Section>
   );
 }
 
@@ -78,7 +117,7 @@ function Histogram({ times }: { times: Times }) {
   const option = useMemo(() => timeHistogram(times), [times]);
   return (
     <Chart
-      label={`Histogram of the processing times of ${plural(times.count, 'case')}, from ${formatTime(times.min)} to ${formatTime(times.max)} µs`}
+      label={`Histogram of the processing times of ${plural(times.count, 'case')}, from ${formatTime(times.min)} to ${formatTime(times.max)}`}
       option={option}
     />
   );
@@ -87,14 +126,14 @@ function Histogram({ times }: { times: Times }) {
 function OverCases({ times }: { times: Times }) {
   const option = useMemo(() => timesOverCases(times), [times]);
   const facts: [string, ReactNode][] = [
-    ['Min (µs)', formatTime(times.min)],
-    ['Average (µs)', formatTime(times.average)],
-    ['Std dev. (µs)', formatTime(times.standardDeviation)],
-    ['50th percentile (µs)', formatTime(times.p50)],
-    ['90th percentile (µs)', formatTime(times.p90)],
-    ['95th percentile (µs)', formatTime(times.p95)],
-    ['99th percentile (µs)', formatTime(times.p99)],
-    ['Max (µs)', formatTime(times.max)],
+    ['Min', formatTime(times.min)],
+    ['Average', formatTime(times.average)],
+    ['Std dev.', formatTime(times.standardDeviation)],
+    ['50th percentile', formatTime(times.p50)],
+    ['90th percentile', formatTime(times.p90)],
+    ['95th percentile', formatTime(times.p95)],
+    ['99th percentile', formatTime(times.p99)],
+    ['Max', formatTime(times.max)],
   ];
   return (
     <Stack gap="sm">
@@ -107,7 +146,7 @@ function OverCases({ times }: { times: Times }) {
         ))}
       </dl>
       <Chart
-        label={`Processing time by case number; average ${formatTime(times.average)} µs`}
+        label={`Processing time by case number; average ${formatTime(times.average)}`}
         option={option}
       />
     </Stack>

@@ -7,6 +7,7 @@ import type { Trajectory } from './CaseFacts';
 import { CaseFilters } from './CaseFilters';
 import { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
 import { RelationCounts } from './RelationCounts';
+import { ResultAnswer } from './ResultAnswer';
 import { ResultProvenance } from './ResultProvenance';
 import { ResultSummary } from './ResultSummary';
 import { ResultTable } from './ResultTable';
@@ -22,6 +23,10 @@ interface ResultViewProps {
   /** Number of the selected case, if any. */
   caseNo?: number | undefined;
   onCase: (no: number | undefined) => void;
+  /** The replay of a case in small. */
+  replay?: ((no: number) => ReactNode) | undefined;
+  /** Why cases fail, shown above the table. */
+  cause?: ReactNode;
 }
 
 /** The summary of a result and the table of its cases. */
@@ -33,6 +38,8 @@ export function ResultView({
   momentLink,
   caseNo,
   onCase,
+  replay,
+  cause,
 }: ResultViewProps) {
   const result = useResult(buildId);
   const shown = useCase(buildId, caseNo);
@@ -47,9 +54,11 @@ export function ResultView({
     <Stack gap="lg">
       <Section title="Result" actions={<Downloads buildId={buildId} />}>
         <Suspicions reasons={suspicions} />
+        <ResultAnswer buildId={buildId} summary={summary} replay={replay} onCase={onCase} />
         <ResultSummary summary={summary} />
         <RelationCounts relations={relations} />
       </Section>
+      {cause}
       <Section title="Cases">
         <CaseFilters
           summary={summary}

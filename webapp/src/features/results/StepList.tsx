@@ -26,7 +26,7 @@ export function StepList({ steps }: { steps: readonly StepResult[] }) {
             <Table.Th>Expected</Table.Th>
             <Table.Th>Actual</Table.Th>
             <Table.Th ta="right">At (s)</Table.Th>
-            <Table.Th ta="right">Time (µs)</Table.Th>
+            <Table.Th ta="right">Time</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>

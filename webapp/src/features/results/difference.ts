@@ -11,5 +11,5 @@ export function differenceOf(
 
 /** Six digits, to hide the rounding errors of binary fractions. */
 function formatMagnitude(value: number): string {
-  return String(Number(value.toPrecision(6)));
+  return value < 1e-4 ? value.toExponential(2) : String(Number(value.toPrecision(6)));
 }

@@ -14,12 +14,13 @@ export interface CaseFilter {
   value?: string | undefined;
 }
 
-export function useResult(buildId: string) {
+export function useResult(buildId: string, enabled = true) {
   const api = useApi();
   return useQuery({
     queryKey: [RESULTS, buildId],
     queryFn: ({ signal }) =>
       dataOf(api.GET('/api/v1/builds/{id}/result', { params: { path: { id: buildId } }, signal })),
+    enabled,
     // An accepted result never changes.
     staleTime: Infinity,
   });
@@ -49,6 +50,23 @@ export function useFetchCases(buildId: string, filter: CaseFilter) {
         }),
       ),
   };
+}
+
+/** What failed, in groups, and since which build. */
+export function useFailures(buildId: string, enabled: boolean) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [RESULTS, buildId, 'failures'],
+    queryFn: ({ signal }) =>
+      dataOf(
+        api.GET('/api/v1/builds/{id}/result/failures', {
+          params: { path: { id: buildId } },
+          signal,
+        }),
+      ),
+    enabled,
+    staleTime: Infinity,
+  });
 }
 
 /** The first page of the filtered cases, with their total number. */

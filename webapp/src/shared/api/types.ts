@@ -25,6 +25,7 @@ export type Result = Schemas['Result'];
 export type ResultCase = Schemas['ResultCase'];
 export type ResultParameter = Schemas['ResultParameter'];
 export type RecordedCases = Build['recordedCases'];
+export type ResultFailures = Schemas['ResultFailures'];
 export type ResultSummary = Schemas['ResultSummary'];
 export type HarnessFile = Schemas['HarnessFile'];
 export type ModelPreview = Schemas['ModelPreview'];

@@ -7,15 +7,44 @@ export function formatCount(count: number): string {
   return count.toLocaleString('en');
 }
 
-/** A measured time with three decimals, or a dash if there is none. */
-export function formatTime(value: number | null | undefined): string {
-  if (value == null || !Number.isFinite(value)) return '–';
-  return value.toLocaleString('en', { minimumFractionDigits: 3, maximumFractionDigits: 3 });
+/** A unit of time and its length in microseconds. */
+export interface TimeUnit {
+  name: string;
+  us: number;
 }
 
-/** `µs` for `us`, the unit of result documents. */
-export function formatUnit(unit: string | null | undefined): string {
-  return unit == null || unit === 'us' ? 'µs' : unit;
+const TIME_UNITS: readonly TimeUnit[] = [
+  { name: 's', us: 1_000_000 },
+  { name: 'ms', us: 1_000 },
+  { name: 'µs', us: 1 },
+  { name: 'ns', us: 0.001 },
+];
+
+const DIGITS = 3;
+
+/** The largest unit in which a time in microseconds is at least 1. */
+export function timeUnitOf(us: number): TimeUnit {
+  // Rounded first: 999.96 µs is 1.00 ms.
+  const rounded = Math.abs(Number(us.toPrecision(DIGITS)));
+  const unit = TIME_UNITS.find((known) => rounded >= known.us * (1 - 1e-12));
+  return unit ?? { name: 'µs', us: 1 };
+}
+
+/** A time in microseconds in the unit that fits, or a dash if there is none: `64.3 ms`. */
+export function formatTime(us: number | null | undefined): string {
+  if (us == null || !Number.isFinite(us)) return '–';
+  if (Math.abs(us) >= 60e6) return formatSeconds(us / 1e6);
+  const unit = timeUnitOf(us);
+  return `${inUnit(us, unit)} ${unit.name}`;
+}
+
+/** A time in microseconds in the given unit, with three digits and without its name. */
+export function inUnit(us: number, unit: TimeUnit): string {
+  const value = us / unit.us;
+  if (value === 0) return '0';
+  return Math.abs(value) >= 10 ** DIGITS
+    ? value.toLocaleString('en', { maximumFractionDigits: 0 })
+    : value.toPrecision(DIGITS).replace(/e.*/, '');
 }
 
 /** Local date and time with seconds. */
@@ -46,10 +75,14 @@ export function formatAge(iso: string, now: Date): string {
 /** The duration between two instants: `0.8 s`, `2 min 5 s`. */
 export function formatDuration(fromIso: string, toIso: string): string {
   const seconds = Math.max(0, (new Date(toIso).getTime() - new Date(fromIso).getTime()) / 1000);
-  if (Number.isNaN(seconds)) return '–';
+  return Number.isNaN(seconds) ? '–' : formatSeconds(seconds);
+}
+
+function formatSeconds(seconds: number): string {
   if (seconds < 60) return `${seconds.toFixed(1)} s`;
   const whole = Math.round(seconds);
-  return `${Math.floor(whole / 60)} min ${whole % 60} s`;
+  if (whole < 3600) return `${Math.floor(whole / 60)} min ${whole % 60} s`;
+  return `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
 }
 
 /** A date and time in a time zone: `Monday 23 November 2026 at 03:00`. */

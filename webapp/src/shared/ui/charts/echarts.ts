@@ -1,4 +1,12 @@
-import { BarChart, CustomChart, HeatmapChart, LineChart, PieChart } from 'echarts/charts';
+import {
+  BarChart,
+  BoxplotChart,
+  CustomChart,
+  HeatmapChart,
+  LineChart,
+  PieChart,
+  ScatterChart,
+} from 'echarts/charts';
 import {
   AriaComponent,
   DataZoomComponent,
@@ -13,6 +21,7 @@ import { CanvasRenderer } from 'echarts/renderers';
 register([
   AriaComponent,
   BarChart,
+  BoxplotChart,
   CanvasRenderer,
   CustomChart,
   DataZoomComponent,
@@ -21,6 +30,7 @@ register([
   LegendComponent,
   LineChart,
   PieChart,
+  ScatterChart,
   TooltipComponent,
   VisualMapComponent,
 ]);
