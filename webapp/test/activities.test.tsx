@@ -1,9 +1,9 @@
-import { fireEvent, screen, within } from '@testing-library/react';
+import { fireEvent, screen, waitFor, within } from '@testing-library/react';
 import { describe, expect, test } from 'vitest';
 import { eachWithServer } from './support/eachWithServer';
 import type { FakeServer } from './support/FakeServer';
 import { openPortal } from './support/openPortal';
-import { activity } from './support/samples';
+import { activity, build } from './support/samples';
 
 let server: FakeServer;
 
@@ -33,6 +33,47 @@ describe('the activities', () => {
     expect(await screen.findByRole('link', { name: 'no-45' })).toBeVisible();
     expect(screen.queryByRole('link', { name: 'no-40' })).toBeNull();
     expect(history.location.search).toBe('?page=3');
+  });
+
+  test('are searched, with the text in the address', async () => {
+    for (let n = 1; n <= 45; n++) server.activities.push(activity(`a${n}`, { name: `no-${n}` }));
+    const { user, history } = openPortal(server, '/activities?page=2');
+    await user.type(await screen.findByRole('searchbox', { name: 'Search activities' }), 'no-44');
+    expect(await screen.findByRole('link', { name: 'no-44' })).toBeVisible();
+    await waitFor(() => {
+      expect(history.location.search).toBe('?search=no-44');
+    });
+    expect(screen.queryByRole('link', { name: 'no-21' })).toBeNull();
+    await user.click(screen.getByRole('button', { name: 'Clear the search' }));
+    expect(await screen.findByRole('link', { name: 'no-1' })).toBeVisible();
+  });
+
+  test('are marked as favourites, which the first page lists', async () => {
+    server.activities.push(activity('a1'));
+    const { user } = openPortal(server, '/activities');
+    await user.click(await screen.findByRole('button', { name: 'Favourite: ir-sensor' }));
+    await user.click(screen.getByRole('link', { name: 'SITAF' }));
+    const favourites = await screen.findByRole('region', { name: 'Favourites' });
+    expect(within(favourites).getByRole('link', { name: 'ir-sensor' })).toHaveAttribute(
+      'href',
+      '/activities/a1',
+    );
+    localStorage.clear();
+  });
+
+  test('are searched from the list of builds by state, too', async () => {
+    server.builds.push(
+      build('b1', { activityName: 'arm', state: 'FAILED' }),
+      build('b2', { activityName: 'arm', state: 'DONE' }),
+      build('b3', { activityName: 'base', state: 'FAILED' }),
+    );
+    const { user, history } = openPortal(server, '/builds?search=arm');
+    expect(await screen.findAllByRole('link', { name: /^arm/ })).toHaveLength(2);
+    await user.selectOptions(screen.getByRole('combobox', { name: 'State' }), 'Could not run');
+    await waitFor(() => {
+      expect(screen.getAllByRole('link', { name: /^arm/ })).toHaveLength(1);
+    });
+    expect(history.location.search).toBe('?search=arm&state=FAILED');
   });
 
   test('are created from a selected zip file', async () => {

@@ -9,7 +9,9 @@ import { NotFound, PageError } from './NotFound';
 import {
   activitySearch,
   buildSearch,
+  buildsSearch,
   compareSearch,
+  foundSearch,
   listSearch,
   newScheduleSearch,
   replaySearch,
@@ -35,7 +37,7 @@ const home = createRoute({
 const activities = createRoute({
   getParentRoute,
   path: '/activities',
-  validateSearch: listSearch,
+  validateSearch: foundSearch,
   component: lazyRouteComponent(() => import('./pages/ActivitiesPage'), 'ActivitiesPage'),
 });
 
@@ -74,7 +76,7 @@ const suite = createRoute({
 const builds = createRoute({
   getParentRoute,
   path: '/builds',
-  validateSearch: listSearch,
+  validateSearch: buildsSearch,
   component: lazyRouteComponent(() => import('./pages/BuildsPage'), 'BuildsPage'),
 });
 
@@ -121,6 +123,7 @@ const settings = createRoute({
 const agents = createRoute({
   getParentRoute,
   path: '/agents',
+  validateSearch: foundSearch,
   component: lazyRouteComponent(() => import('./pages/AgentsPage'), 'AgentsPage'),
 });
 

@@ -1,11 +1,22 @@
 import type { RequestedOptions } from '@/features/builds';
-import type { Verdict } from '@/shared/api';
+import type { BuildState, Verdict } from '@/shared/api';
+import { STATES } from '@/shared/lib/buildStates';
 import { RECORDINGS } from '@/shared/lib/recordings';
 import { VERDICTS } from '@/shared/lib/verdicts';
 
 /** The query parameters of the pages. Page numbers start at 1; the first page has none. */
 export interface ListSearch {
   page?: number;
+}
+
+/** A list that can be searched. */
+export interface FoundSearch extends ListSearch {
+  /** A part of a name. */
+  search?: string;
+}
+
+export interface BuildsSearch extends FoundSearch {
+  state?: BuildState;
 }
 
 export const ACTIVITY_TABS = ['overview', 'interface', 'files', 'results'] as const;
@@ -77,6 +88,14 @@ const RECORDED_CASES = RECORDINGS.flatMap(({ value }) => (value === '' ? [] : [v
 
 export function listSearch(raw: Raw): ListSearch {
   return numberIn(raw, 'page', 2);
+}
+
+export function foundSearch(raw: Raw): FoundSearch {
+  return { ...listSearch(raw), ...textIn(raw, 'search') };
+}
+
+export function buildsSearch(raw: Raw): BuildsSearch {
+  return { ...foundSearch(raw), ...choiceIn(raw, 'state', STATES) };
 }
 
 export function activitySearch(raw: Raw): ActivitySearch {

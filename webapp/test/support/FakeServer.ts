@@ -12,6 +12,7 @@ import type {
   ModelPreview,
   ResultCase,
   ResultComparison,
+  ResultFailures,
   ValueComparison,
   SuiteCase,
 } from '@/shared/api';
@@ -56,6 +57,7 @@ const NOUNS = [
   'description',
   'differences',
   'expected',
+  'failures',
   'files',
   'log',
   'model-previews',
@@ -76,6 +78,8 @@ export class FakeServer {
   readonly activities: Activity[] = [];
   readonly builds: Build[] = [];
   readonly cases = new Map<string, ResultCase[]>();
+  /** What failed in any result. */
+  failures: ResultFailures = { groups: [], leftOut: 0 };
   /** Of any two builds. */
   comparison: ResultComparison | undefined;
   /** Of any two builds; without it, their parameters differ. */
@@ -206,7 +210,11 @@ export class FakeServer {
 
   private readonly handlers: Record<string, Handler> = {
     'GET agents': () => ({ status: 200, json: this.agents }),
-    'GET activities': ({ query }) => ({ status: 200, json: pageOf(this.activities, query) }),
+    'GET activities': ({ query }) => {
+      const search = query.get('search') ?? '';
+      const shown = this.activities.filter(({ name }) => name.includes(search));
+      return { status: 200, json: pageOf(shown, query) };
+    },
     'GET activities *': ({ path }) => found(this.activities.find(({ id }) => id === path[1])),
     'POST activities': ({ body, request }) => this.upload(body, request),
     'POST activities * models * suites': ({ path, body }) => {
@@ -264,7 +272,14 @@ export class FakeServer {
     'PATCH suites * expected': ({ body, request }) => this.changeExpected(body, request),
     'GET builds': ({ query }) => {
       const activityId = query.get('activityId');
-      const shown = this.builds.filter((item) => !activityId || item.activityId === activityId);
+      const search = query.get('search') ?? '';
+      const state = query.get('state');
+      const shown = this.builds.filter(
+        (item) =>
+          (!activityId || item.activityId === activityId) &&
+          (!state || item.state === state) &&
+          item.activityName.includes(search),
+      );
       return { status: 200, json: pageOf(shown, query) };
     },
     'POST builds': ({ body }) => {
@@ -327,6 +342,7 @@ export class FakeServer {
       },
     }),
     'GET builds * result comparison': () => ({ status: 200, json: this.comparison }),
+    'GET builds * result failures': () => ({ status: 200, json: this.failures }),
     'GET builds * result coverage': () => ({
       status: 200,
       json: {

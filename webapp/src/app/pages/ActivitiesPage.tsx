@@ -1,25 +1,34 @@
 import { Group, Stack, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import { BuildNow, useStartBuild } from '@/app/building';
-import { fromIndex, toIndex, withoutAbsent, type ListSearch } from '@/app/search';
+import { fromIndex, toIndex, withoutAbsent, type FoundSearch } from '@/app/search';
 import { ActivityList, UploadActivity } from '@/features/activities';
-import { ProblemAlert, ButtonLink } from '@/shared/ui';
+import { ButtonLink, ProblemAlert, SearchField } from '@/shared/ui';
 
 const route = getRouteApi('/activities');
 
 /** All activities, with the two ways to create one. */
 export function ActivitiesPage() {
-  const { page } = route.useSearch();
+  const { page, search } = route.useSearch();
   const navigate = route.useNavigate();
   const start = useStartBuild();
   return (
-    <Stack gap="lg">
+    <Stack gap="md">
       <title>Activities · SITAF</title>
       <Group justify="space-between">
-        <Title order={1} size="h2">
+        <Title order={1} size="h3">
           Activities
         </Title>
-        <ButtonLink to="/activities/new">New activity</ButtonLink>
+        <Group gap="sm">
+          <SearchField
+            label="Search activities"
+            value={search}
+            onSearch={(text) =>
+              void navigate({ search: withoutAbsent<FoundSearch>({ search: text }) })
+            }
+          />
+          <ButtonLink to="/activities/new">New activity</ButtonLink>
+        </Group>
       </Group>
       <UploadActivity />
       {start.isError && (
@@ -31,9 +40,10 @@ export function ActivitiesPage() {
       )}
       <ActivityList
         page={toIndex(page)}
+        search={search}
         onPage={(index) =>
           void navigate({
-            search: withoutAbsent<ListSearch>({ page: fromIndex(index) }),
+            search: withoutAbsent<FoundSearch>({ page: fromIndex(index), search }),
             resetScroll: false,
           })
         }

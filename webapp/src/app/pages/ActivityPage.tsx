@@ -10,12 +10,12 @@ import {
   type ActivitySearch,
   type ActivityTab,
 } from '@/app/search';
-import { ActivityFiles, InterfaceTree, useActivity } from '@/features/activities';
+import { ActivityFiles, FavouriteButton, InterfaceTree, useActivity } from '@/features/activities';
 import { BuildList } from '@/features/builds';
 import { ResultHistory } from '@/features/history';
 import { SuiteList } from '@/features/suites';
 import { ApiError, type Activity } from '@/shared/api';
-import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
+import { Breadcrumb, Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/activities/$activityId');
 
@@ -76,9 +76,15 @@ export function ActivityPage() {
     <Stack gap="lg">
       <title>{`${data.name} · SITAF`}</title>
       <div>
-        <Title order={1} size="h2">
-          <UserText>{data.name}</UserText>
-        </Title>
+        <Breadcrumb>
+          <RouteLink to="/activities">All activities</RouteLink>
+        </Breadcrumb>
+        <Group gap="xs">
+          <Title order={1} size="h3">
+            <UserText>{data.name}</UserText>
+          </Title>
+          <FavouriteButton activity={data} />
+        </Group>
         {data.description && (
           <Text>
             <UserText>{data.description}</UserText>
@@ -137,7 +143,7 @@ function Overview({
         <SuiteList activityId={activity.id} />
       </Section>
       <Section title="Builds">
-        <BuildList activityId={activity.id} page={builds} onPage={onBuilds} />
+        <BuildList filter={{ activityId: activity.id }} page={builds} onPage={onBuilds} />
       </Section>
     </Stack>
   );

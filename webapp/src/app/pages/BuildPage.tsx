@@ -1,11 +1,18 @@
-import { Group, Stack, Text, Title } from '@mantine/core';
+import { Group, Stack, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import type { ReactNode } from 'react';
 import { BuildAgain, RunCaseAgain } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type BuildSearch, type BuildTab } from '@/app/search';
-import { BuildLog, BuildOverview, CaseLog, isFinished, useBuild } from '@/features/builds';
+import {
+  BuildLog,
+  BuildOverview,
+  CaseLog,
+  isFinished,
+  statusOf,
+  useBuild,
+} from '@/features/builds';
 import {
   CoverageView,
   LiveCases,
@@ -15,10 +22,11 @@ import {
   type CaseFilter,
 } from '@/features/results';
 import { ResultHistory } from '@/features/history';
+import { CasePreview } from '@/features/replay';
 import { StateDiagramView } from '@/features/states';
 import { useSuite } from '@/features/suites';
 import { ApiError, type Build, type ResultCase } from '@/shared/api';
-import { Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
+import { Breadcrumb, Loading, ProblemAlert, RouteLink, TabIcon, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/builds/$buildId');
 
@@ -43,6 +51,7 @@ export function BuildPage() {
   }
   const { activityId, activityName, model, state, suiteId } = build.data;
   const done = state === 'DONE';
+  const status = statusOf(build.data);
   const show = (search: BuildSearch) => void navigate({ search, resetScroll: false });
   const filter = (wanted: CaseFilter) => {
     show(withoutAbsent<BuildSearch>({ ...wanted }));
@@ -71,6 +80,7 @@ export function BuildPage() {
               show(withoutAbsent<BuildSearch>({ ...shown, case: no }));
             }}
             caseDetails={caseDetails}
+            replay={(no) => <CasePreview build={build.data} no={no} />}
             momentLink={({ no }, { name, at }) =>
               at !== undefined && (
                 <RouteLink
@@ -142,16 +152,18 @@ export function BuildPage() {
   // The log has the reason why a build did not run.
   const wanted = shown.tab ?? (state === 'FAILED' ? 'log' : 'table');
   return (
-    <Stack gap="lg">
-      <title>{`${model} · ${activityName} · SITAF`}</title>
+    <Stack gap="md">
+      <title>{`${status.sign} ${model} · ${activityName} · SITAF`}</title>
+      <TabIcon tone={status.tone} />
       <Group justify="space-between" align="start">
         <div>
-          <Text size="sm">
+          <Breadcrumb>
+            <RouteLink to="/activities">All activities</RouteLink>
             <RouteLink to="/activities/$activityId" params={{ activityId }}>
               <UserText>{activityName}</UserText>
             </RouteLink>
-          </Text>
-          <Title order={1} size="h2">
+          </Breadcrumb>
+          <Title order={1} size="h3">
             <UserText>{model}</UserText>
           </Title>
         </div>

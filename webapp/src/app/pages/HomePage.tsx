@@ -1,4 +1,5 @@
 import { SimpleGrid, Stack, Title } from '@mantine/core';
+import { FavouriteList } from '@/features/activities';
 import { AgentTable } from '@/features/agents';
 import { BuildList, FailingActivities } from '@/features/builds';
 import { ScheduleList } from '@/features/schedules';
@@ -7,11 +8,12 @@ import { RouteLink, Section } from '@/shared/ui';
 /** An overview of builds, agents and schedules. */
 export function HomePage() {
   return (
-    <Stack gap="xl">
+    <Stack gap="lg">
       <title>SITAF</title>
-      <Title order={1} size="h2">
+      <Title order={1} size="h3">
         Interface tests
       </Title>
+      <FavouriteList />
       <Section
         title="Recent builds"
         actions={

@@ -2,24 +2,35 @@ import { Box, Group, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import type { Activity, ActivityModel } from '@/shared/api';
 import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
+import { Examples } from './Examples';
+import { FavouriteButton } from './FavouriteButton';
 import { ACTIVITIES_PER_PAGE, useActivities } from './queries';
 
 interface ActivityListProps {
   page: number;
   onPage: (page: number) => void;
+  /** A part of the names; without it, all activities are listed. */
+  search?: string | undefined;
   /** The actions on a test model, provided by the app. */
   modelAction: (activity: Activity, model: ActivityModel) => ReactNode;
 }
 
-export function ActivityList({ page, onPage, modelAction }: ActivityListProps) {
-  const activities = useActivities(page);
+export function ActivityList({ page, onPage, search, modelAction }: ActivityListProps) {
+  const activities = useActivities(page, search);
   if (activities.isPending) return <Loading what="activities" />;
   if (!activities.data) {
     return <ProblemAlert title="The activities could not be read" error={activities.error} />;
   }
   const { items, total } = activities.data;
-  if (total === 0)
-    return <Text c="dimmed">No activities yet. Create one, or upload a zip file.</Text>;
+  if (total === 0 && search) return <Text c="dimmed">No activity matches.</Text>;
+  if (total === 0) {
+    return (
+      <Stack gap="xs">
+        <Text c="dimmed">No activities yet. Create one, or upload a zip file.</Text>
+        <Examples />
+      </Stack>
+    );
+  }
   return (
     <Stack gap="xs">
       <ScrollTable label="Activities" minWidth={720}>
@@ -58,14 +69,17 @@ function ActivityRow({
   return (
     <Table.Tr>
       <Table.Td>
-        <RouteLink
-          to="/activities/$activityId"
-          params={{ activityId: activity.id }}
-          fw={600}
-          size="sm"
-        >
-          <UserText>{activity.name}</UserText>
-        </RouteLink>
+        <Group gap={4} wrap="nowrap">
+          <FavouriteButton activity={activity} />
+          <RouteLink
+            to="/activities/$activityId"
+            params={{ activityId: activity.id }}
+            fw={600}
+            size="sm"
+          >
+            <UserText>{activity.name}</UserText>
+          </RouteLink>
+        </Group>
         {activity.description && (
           <Text size="sm" c="dimmed">
             <UserText>{activity.description}</UserText>

@@ -1,3 +1,6 @@
+export { Examples } from './Examples';
+export { FavouriteButton } from './FavouriteButton';
+export { FavouriteList } from './FavouriteList';
 export { ActivityFiles } from './ActivityFiles';
 export { InterfaceTree } from './InterfaceTree';
 export { ActivityList } from './ActivityList';

@@ -6,15 +6,15 @@ const ACTIVITIES = ['activities'] as const;
 /** Page size of the list. */
 export const ACTIVITIES_PER_PAGE = 20;
 
-/** A page of the activities; pages count from 0. */
-export function useActivities(page: number) {
+/** A page of the activities, of all or of those that contain a text; pages count from 0. */
+export function useActivities(page: number, search?: string) {
   const api = useApi();
   return useQuery({
-    queryKey: [...ACTIVITIES, 'page', page],
+    queryKey: [...ACTIVITIES, 'page', page, search],
     queryFn: ({ signal }) =>
       dataOf(
         api.GET('/api/v1/activities', {
-          params: { query: { page, size: ACTIVITIES_PER_PAGE } },
+          params: { query: { page, size: ACTIVITIES_PER_PAGE, ...(search && { search }) } },
           signal,
         }),
       ),

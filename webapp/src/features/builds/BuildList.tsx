@@ -6,7 +6,7 @@ import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } f
 import { BuildSource } from './BuildSource';
 import { BuildStatus } from './BuildStatus';
 import classes from './builds.module.css';
-import { BUILDS_PER_PAGE, useBuilds } from './queries';
+import { BUILDS_PER_PAGE, useBuilds, type BuildFilter } from './queries';
 import { isFinished, progressOf } from './state';
 
 interface BuildListProps {
@@ -14,17 +14,20 @@ interface BuildListProps {
   /** Without it, there is no pager. */
   onPage?: (page: number) => void;
   size?: number;
-  /** Without it, the builds of all activities are listed. */
-  activityId?: string;
+  /** Without it, all builds are listed. */
+  filter?: BuildFilter;
 }
 
-export function BuildList({ page, onPage, size = BUILDS_PER_PAGE, activityId }: BuildListProps) {
-  const builds = useBuilds(page, activityId, size);
+export function BuildList({ page, onPage, size = BUILDS_PER_PAGE, filter = {} }: BuildListProps) {
+  const builds = useBuilds(page, filter, size);
   if (builds.isPending) return <Loading what="builds" />;
   if (!builds.data) {
     return <ProblemAlert title="The builds could not be read" error={builds.error} />;
   }
   const { items, total } = builds.data;
+  if (total === 0 && (filter.search || filter.state)) {
+    return <Text c="dimmed">No build matches.</Text>;
+  }
   if (total === 0)
     return (
       <Text c="dimmed">

@@ -10,7 +10,7 @@ const LOOK_BACK = 200;
 
 /** Test models whose latest finished build of all cases failed or could not run. */
 export function FailingActivities() {
-  const builds = useBuilds(0, undefined, LOOK_BACK);
+  const builds = useBuilds(0, {}, LOOK_BACK);
   if (builds.isPending) return <Loading what="failing activities" />;
   if (!builds.data) {
     return <ProblemAlert title="The builds could not be read" error={builds.error} />;

@@ -12,5 +12,5 @@ export {
   type BuildOptions,
   type RequestedOptions,
 } from './options';
-export { isFinished } from './state';
+export { isFinished, statusOf } from './state';
 export { useBuild, useRequestBuild } from './queries';

@@ -1,5 +1,5 @@
 import { keepPreviousData, useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
-import { dataOf, useApi, type Build, type BuildRequest } from '@/shared/api';
+import { dataOf, useApi, type Build, type BuildRequest, type BuildState } from '@/shared/api';
 import { isFinished } from './state';
 
 const BUILDS = ['builds'] as const;
@@ -14,16 +14,31 @@ const LONG_POLL_S = 20;
 /** Minimum time between two polls, in case the server answers at once. */
 const POLL_INTERVAL_MS = 300;
 
-/** A page of the builds, newest first, of one activity or of all; pages count from 0. */
-export function useBuilds(page: number, activityId?: string, size = BUILDS_PER_PAGE) {
+/** Which builds are listed. */
+export interface BuildFilter {
+  activityId?: string | undefined;
+  /** A part of the name of the activity or of the test model. */
+  search?: string | undefined;
+  state?: BuildState | undefined;
+}
+
+/** A page of the builds that match, newest first; pages count from 0. */
+export function useBuilds(page: number, filter: BuildFilter = {}, size = BUILDS_PER_PAGE) {
   const api = useApi();
+  const { activityId, search, state } = filter;
   return useQuery({
-    queryKey: [...BUILDS, 'page', page, size, activityId],
+    queryKey: [...BUILDS, 'page', page, size, activityId, search, state],
     queryFn: ({ signal }) =>
       dataOf(
         api.GET('/api/v1/builds', {
           params: {
-            query: { page, size, ...(activityId != null && { activityId }) },
+            query: {
+              page,
+              size,
+              ...(activityId != null && { activityId }),
+              ...(search && { search }),
+              ...(state && { state }),
+            },
           },
           signal,
         }),

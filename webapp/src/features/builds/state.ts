@@ -8,9 +8,13 @@ export function isFinished(build: Build): boolean {
   return FINISHED.includes(build.state);
 }
 
+/** The signs make the tones readable without colour. */
+const SIGNS = { waiting: '…', active: '▸', good: '✓', bad: '✕', neutral: '·' } as const;
+
 /** The status of a build as text; the tone selects its colour. */
 export interface BuildStatus {
   label: string;
+  sign: string;
   tone: 'waiting' | 'active' | 'good' | 'bad' | 'neutral';
 }
 
@@ -31,6 +35,11 @@ export function isSuspect({ suspicions }: Build): boolean {
 
 /** The status of a finished build is its result. A build that could not run is not a failed test. */
 export function statusOf(build: Build): BuildStatus {
+  const { label, tone } = labelOf(build);
+  return { label, tone, sign: SIGNS[tone] };
+}
+
+function labelOf(build: Build): Omit<BuildStatus, 'sign'> {
   if (build.state === 'DONE' && build.summary) {
     if (isSuspect(build)) return { label: 'Suspect', tone: 'bad' };
     const { total, pass, fail, error } = build.summary;

@@ -13,6 +13,8 @@ const BUILD_STATES: Record<BuildState, string> = {
   CANCELLED: 'Cancelled',
 };
 
+export const STATES = Object.keys(BUILD_STATES) as BuildState[];
+
 /** Unknown states of a newer server are shown unchanged. */
 export function labelOfState(state: string): string {
   return state in BUILD_STATES ? BUILD_STATES[state as BuildState] : state;

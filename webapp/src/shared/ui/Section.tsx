@@ -14,7 +14,7 @@ export function Section({ title, actions, children }: SectionProps) {
   return (
     <Stack component="section" gap="sm" aria-labelledby={id}>
       <Group justify="space-between">
-        <Title order={2} size="h3" id={id} className={classes.title ?? ''}>
+        <Title order={2} size="h4" id={id} className={classes.title ?? ''}>
           {title}
         </Title>
         {actions}

@@ -1,4 +1,5 @@
 export { Age } from './Age';
+export { Breadcrumb } from './Breadcrumb';
 export { ButtonLink } from './ButtonLink';
 export { Chart } from './charts/Chart';
 export type { LineMark } from './code/editor';
@@ -11,7 +12,9 @@ export { Pager } from './Pager';
 export { ProblemAlert } from './ProblemAlert';
 export { RouteLink } from './RouteLink';
 export { ScrollTable } from './ScrollTable';
+export { SearchField } from './SearchField';
 export { SecretForm } from './SecretForm';
 export { Section } from './Section';
+export { TabIcon } from './TabIcon';
 export { useVirtualPages } from './useVirtualPages';
 export { UserText } from './UserText';
