@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sitaf.cli.run.LocalBuilds;
+import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
@@ -98,12 +99,15 @@ record Bundles(
     text.append("| input | value |\n|---|---|\n");
     cause
         .simplest()
-        .forEach(
-            (name, value) ->
-                text.append("| `" + name + "` | `" + value.replace("|", "\\|") + "` |\n"));
+        .forEach((name, value) -> text.append("| " + code(name) + " | " + code(value) + " |\n"));
     text.append("\n").append(cause.verdict()).append(":\n\n");
-    cause.message().lines().forEach(line -> text.append("    ").append(line).append('\n'));
+    text.append("    ").append(Printable.lines(cause.message(), "    ")).append('\n');
     text.append("\nRun it again with `./sitaf replay ").append(file.getFileName()).append("`.\n");
     return text.toString();
+  }
+
+  /** A cell of a table in Markdown, which no text can leave. */
+  static String code(String text) {
+    return "`" + Printable.line(text).replace('`', '\'').replace("|", "\\|") + "`";
   }
 }

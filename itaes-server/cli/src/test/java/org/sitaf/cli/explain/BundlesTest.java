@@ -1,0 +1,22 @@
+package org.sitaf.cli.explain;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class BundlesTest {
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "1.5; `1.5`",
+        "a|b; `a\\|b`",
+        "`<img src=x>`; `'<img src=x>'`",
+      })
+  void aValueStaysInItsCell(String value, String cell) {
+    assertThat(Bundles.code(value)).isEqualTo(cell);
+    assertThat(Bundles.code("a\n\n# Title\u001b[2J"))
+        .isEqualTo("`a\\u000a\\u000a# Title\\u001b[2J`");
+  }
+}
