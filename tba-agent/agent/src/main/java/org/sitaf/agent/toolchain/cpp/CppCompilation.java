@@ -195,7 +195,10 @@ final class CppCompilation {
     if (compiled == null || compiled.end().code() != 0) {
       return;
     }
-    Optional<Inputs> read = unit.inputs(compiled.without(libraries::isBuilt), check);
+    Optional<Inputs> read =
+        libraries.areInputsListed()
+            ? unit.inputs(compiled.without(libraries::isBuilt), check)
+            : Optional.empty();
     LOGGER.log(
         System.Logger.Level.DEBUG,
         read.isPresent() ? "{0}: compiled" : "{0}: compiled; its inputs are uncertain",

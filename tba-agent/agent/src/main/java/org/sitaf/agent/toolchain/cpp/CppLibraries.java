@@ -37,6 +37,16 @@ record CppLibraries(
   private static final Pattern SONAME =
       Pattern.compile("\\(SONAME\\).*\\[([A-Za-z0-9_][A-Za-z0-9_.+-]{0,199})]");
 
+  /**
+   * Options with files that the compiler does not list among those that it opened: programs and
+   * plugins that it runs, and files of options.
+   */
+  private static final Pattern UNLISTED =
+      Pattern.compile(
+          "@.*|--?(B|specs|wrapper|fplugin|fpass-plugin|fprofile-use|fauto-profile|fbranch-prob"
+              + "|fsanitize-.*list|Wa,|Xassembler|Xclang|Xpreprocessor|Wp,|load|config|sysroot"
+              + "|isysroot).*");
+
   CppLibraries {
     compileFlags = List.copyOf(compileFlags);
     linkFlags = List.copyOf(linkFlags);
@@ -88,6 +98,14 @@ record CppLibraries(
   /** The C++ standard for sources that use the libraries, at least the given one. */
   int standard(int atLeast) {
     return cmake == null ? atLeast : Math.max(atLeast, cmake.standard());
+  }
+
+  /**
+   * Whether an object that was compiled with the flags depends on nothing but them and the files
+   * that the compiler lists.
+   */
+  boolean areInputsListed() {
+    return compileFlags.stream().noneMatch(flag -> UNLISTED.matcher(flag).matches());
   }
 
   /** Whether a file is output of the component's CMake project. */

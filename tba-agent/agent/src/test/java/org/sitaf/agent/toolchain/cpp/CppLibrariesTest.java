@@ -2,6 +2,7 @@ package org.sitaf.agent.toolchain.cpp;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,5 +27,44 @@ class CppLibrariesTest {
   @ValueSource(strings = {"..", ".", "../x", "/etc/passwd", "a\u0000b", "a\nb", "-rf", " "})
   void ignoresASonameThatIsNoFileName(String soname) {
     assertThat(CppLibraries.soname(printed(soname))).isEmpty();
+  }
+
+  private static boolean areInputsListed(String flag) {
+    return new CppLibraries(List.of("-I", "/usr/include/eigen3", flag), List.of(), null)
+        .areInputsListed();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "-DNAME=@x",
+        "-mavx",
+        "-fopenmp",
+        "-include",
+        "-isystem",
+        "-std=gnu++20",
+        "-pthread"
+      })
+  void theCompilerListsWhatOrdinaryOptionsRead(String flag) {
+    assertThat(areInputsListed(flag)).isTrue();
+  }
+
+  /** An object that depends on other files would be stale when they change. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "@/p/options",
+        "-B/p/bin",
+        "-specs=/p/own.specs",
+        "--specs=/p/own.specs",
+        "-wrapper",
+        "-fplugin=/p/x.so",
+        "-fprofile-use=/p/x.gcda",
+        "-Wa,--defsym,X=1",
+        "-Xclang",
+        "--sysroot=/p"
+      })
+  void theCompilerDoesNotListWhatOtherOptionsRead(String flag) {
+    assertThat(areInputsListed(flag)).isFalse();
   }
 }
