@@ -38,7 +38,8 @@ class ScanDeclaration(DeviceDeclaration):
 class _Scanner:
     site: int
     body: int
-    own: frozenset[int]
+    # Of each geom, whether it is fixed to the scanner; the last entry is for -1, no geom.
+    own: NDArray[np.bool_]
     solids: tuple[int, ...]
     surroundings: Surroundings
     # Unit vectors in the frame of the site: shape (rays, 3).
@@ -93,7 +94,8 @@ def _scanner(model: mujoco.MjModel, declaration: DeviceDeclaration) -> _Scanner:
     )
     angles = np.linspace(declaration.first, declaration.last, declaration.rays)
     rays = np.stack([np.cos(angles), np.sin(angles), np.zeros_like(angles)], axis=1)
-    return _Scanner(site, body, own, solids, Surroundings(model, [site], [solids]), rays)
+    fixed = np.append(np.isin(model.geom_bodyid, list(own)), False)
+    return _Scanner(site, body, fixed, solids, Surroundings(model, [site], [solids]), rays)
 
 
 class ScanBank:
@@ -123,9 +125,10 @@ def _scan(
     mujoco.mj_multiRay(
         model, data, origin, along.ravel(), None, 1, without, geoms, distances, None, count, declaration.high
     )
-    for ray in np.flatnonzero(geoms >= 0).tolist():
-        # MuJoCo excludes one body; the other bodies of the scanner's rigid part are excluded here.
-        if int(model.geom_bodyid[geoms[ray]]) in scanner.own:
-            hits = (cast(model, data, geom, origin, along[ray]) for geom in scanner.solids)
-            distances[ray] = min((hit for hit in hits if hit >= 0), default=-1.0)
-    return tuple(math.inf if d < 0 else within(d + 0.0, declaration.low, declaration.high) for d in distances.tolist())
+    # MuJoCo excludes one body; the other bodies of the scanner's rigid part are excluded here.
+    for ray in np.flatnonzero(scanner.own[geoms]).tolist():
+        hits = (cast(model, data, geom, origin, along[ray]) for geom in scanner.solids)
+        distances[ray] = min((hit for hit in hits if hit >= 0), default=-1.0)
+    ranges = np.where(distances < declaration.low, -math.inf, distances + 0.0)
+    ranges[(distances < 0) | (distances > declaration.high)] = math.inf
+    return tuple(ranges.tolist())
