@@ -12,6 +12,8 @@ from sitaf_runtime.ros.stub import Stub, free, results_of
 from sitaf_runtime.suite.kinds import INT64
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from sitaf_runtime.ros.lines import Lines
     from sitaf_runtime.ros.plan import Call, Plan, Topic
 
@@ -36,9 +38,9 @@ class World:
         self.readings: dict[str, dict[str, Any]] = begun["readings"]
         self.commands: dict[str, list[float]] = {}
 
-    def step(self, steps: int) -> None:
-        """Send the commands since the last step, and advance."""
-        answer = self._lines.ask({"step": steps, "commands": self.commands})
+    def step(self, steps: int, devices: Collection[str]) -> None:
+        """Send the commands since the last step, advance, and read these devices."""
+        answer = self._lines.ask({"step": steps, "commands": self.commands, "read": sorted(devices)})
         self.commands = {}
         for device, numbers in answer["readings"].items():
             self.readings[device]["numbers"] = numbers
@@ -214,21 +216,29 @@ class CaseRun:
         step_ns = world.timestep_ns
         coming = [end_ns, self._schedule.next_ns(), self._system.next_event_ns()]
         steps = [-(-time // step_ns) for time in coming if time is not None]
-        steps += [self._step_of(world, topic, self._sent.get(topic.name, 0) + 1) for topic in self._sensing()]
-        to = max(self._step + 1, min(steps))
-        world.step(to - self._step)
+        sensing = [(self._step_of(world, topic, self._sent.get(topic.name, 0) + 1), topic) for topic in self._sensing()]
+        to = max(self._step + 1, min([*steps, *(step for step, _ in sensing)]))
+        sensed = [topic for step, topic in sensing if step <= to]
+        # A scan has hundreds of numbers: only what is published now crosses between the processes.
+        world.step(to - self._step, {device for topic in sensed for device in self._read_for(world, topic)})
         self._step = to
         now_ns = to * step_ns
         self._system.run_before(now_ns)
-        for topic in self._sensing():
-            if self._step_of(world, topic, self._sent.get(topic.name, 0) + 1) <= to:
-                self._sent[topic.name] = self._sent.get(topic.name, 0) + 1
-                self._sense(world, topic, now_ns)
+        for topic in sensed:
+            self._sent[topic.name] = self._sent.get(topic.name, 0) + 1
+            self._sense(world, topic, now_ns)
         self._publish_due(now_ns)
         self._system.run_until(now_ns)
 
     def _sensing(self) -> list[Topic]:
         return [topic for topic in self._plan.topics if topic.senses]
+
+    @staticmethod
+    def _read_for(world: World, topic: Topic) -> list[str]:
+        """The devices that a message of a topic is made of."""
+        if topic.world:
+            return [name for name, reading in world.readings.items() if reading["kind"] == "pose"]
+        return [] if topic.kind == "camera" else [topic.device]
 
     def _step_of(self, world: World, topic: Topic, number: int) -> int:
         """The step of a message: ceil(number / (rate * timestep)), with a margin for rounding."""

@@ -89,7 +89,8 @@ class RosTestDriver(SuiteDriver[object]):
                 for device, (linear, angular) in message["commands"].items():
                     simulation.hardware.differential_drive(device).drive(linear, angular)
                 simulation.time.pass_steps(message["step"])
-                return {"readings": {device: self._numbers(simulation, device) for device in self._devices()}}
+                wanted = [device for device in self._devices() if device in message["read"]]
+                return {"readings": {device: self._numbers(simulation, device) for device in wanted}}
         elif simulation is not None and "look" in message:
             with self.stopwatch.in_hardware():
                 image = simulation.hardware.camera(message["look"]).image()
