@@ -502,3 +502,21 @@ def test_deadlines_liveliness_and_lifespan(tmp_path):
         "requested deadline 2",
     ]
     assert later == ["late old", "alive 1 not alive 0", "alive 0 not alive 1", "lost 2", "alive 1 not alive 0"]
+
+
+TWO_LOGS_ON_A_LINE = """
+from rclpy.node import Node
+
+
+class Probe(Node):
+    def __init__(self):
+        super().__init__('probe')
+        log = self.get_logger()
+        for i in range(2):
+            log.info(f'once {i}', once=True); log.info(f'skip {i}', skip_first=True)
+"""
+
+
+def test_logs_on_one_line_are_filtered_apart(tmp_path):
+    texts = node(tmp_path, TWO_LOGS_ON_A_LINE, lambda case: (case.run(0), case.texts)[1])
+    assert texts == ["once 0", "skip 1"]

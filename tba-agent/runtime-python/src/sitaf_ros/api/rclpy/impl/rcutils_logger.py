@@ -20,7 +20,7 @@ class LogState:
 
     levels: dict[str, int] = {}  # noqa: RUF012 -- one for all, by intention
     default = int(LoggingSeverity.INFO)
-    seen: dict[tuple[str, int], float] = {}  # noqa: RUF012
+    seen: dict[tuple[str, int, int], float] = {}  # noqa: RUF012
 
 
 class RcutilsLogger:
@@ -104,8 +104,9 @@ class RcutilsLogger:
         return self.log(message, LoggingSeverity.FATAL, **kwargs)
 
 
-def _call_site() -> tuple[str, int]:
+def _call_site() -> tuple[str, int, int]:
     frame: FrameType | None = sys._getframe()
     while frame is not None and frame.f_code.co_filename in _OWN_FILES:
         frame = frame.f_back
-    return ("", 0) if frame is None else (frame.f_code.co_filename, frame.f_lineno)
+    # As in rclpy, two calls on one line are two places.
+    return ("", 0, 0) if frame is None else (frame.f_code.co_filename, frame.f_lineno, frame.f_lasti)
