@@ -59,6 +59,9 @@ bool Context::shutdown(const std::string & reason)
   if (!valid_) {
     return false;
   }
+  for (const auto & callback : std::vector(pre_callbacks_)) {
+    (*callback)();
+  }
   valid_ = false;
   reason_ = reason;
   for (const auto & callback : std::vector(callbacks_)) {
@@ -81,14 +84,34 @@ OnShutdownCallbackHandle Context::add_on_shutdown_callback(std::function<void()>
   return callbacks_.back();
 }
 
-bool Context::remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle)
+PreShutdownCallbackHandle Context::add_pre_shutdown_callback(std::function<void()> callback)
 {
-  const auto found = std::find(callbacks_.begin(), callbacks_.end(), handle);
-  if (found == callbacks_.end()) {
+  pre_callbacks_.push_back(std::make_shared<std::function<void()>>(std::move(callback)));
+  return pre_callbacks_.back();
+}
+
+namespace {
+
+bool removed(std::vector<OnShutdownCallbackHandle> & callbacks, const OnShutdownCallbackHandle & handle)
+{
+  const auto found = std::find(callbacks.begin(), callbacks.end(), handle);
+  if (found == callbacks.end()) {
     return false;
   }
-  callbacks_.erase(found);
+  callbacks.erase(found);
   return true;
+}
+
+}  // namespace
+
+bool Context::remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle)
+{
+  return removed(callbacks_, handle);
+}
+
+bool Context::remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle)
+{
+  return removed(pre_callbacks_, handle);
 }
 
 bool Context::sleep_for(const std::chrono::nanoseconds & time)

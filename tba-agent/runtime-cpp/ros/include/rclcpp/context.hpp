@@ -44,11 +44,10 @@ public:
   std::size_t get_domain_id() const {return options_.get_domain_id();}
   virtual std::function<void()> on_shutdown(std::function<void()> callback);
   virtual OnShutdownCallbackHandle add_on_shutdown_callback(std::function<void()> callback);
-  virtual PreShutdownCallbackHandle add_pre_shutdown_callback(std::function<void()> callback)
-  {
-    return add_on_shutdown_callback(std::move(callback));
-  }
+  /// Called while the context is still valid.
+  virtual PreShutdownCallbackHandle add_pre_shutdown_callback(std::function<void()> callback);
   virtual bool remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle);
+  virtual bool remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle);
   bool sleep_for(const std::chrono::nanoseconds & time);
   void interrupt_all_sleep_for();
 
@@ -59,6 +58,7 @@ private:
   std::string reason_;
   InitOptions options_;
   std::vector<OnShutdownCallbackHandle> callbacks_;
+  std::vector<PreShutdownCallbackHandle> pre_callbacks_;
 };
 
 namespace contexts {
