@@ -48,7 +48,7 @@ record AdapterView(
         method.raises().forEach(e -> includes.own("sitaf/interfaces/" + e + ".hpp"));
         // A method of several interfaces is implemented once.
         if (written.add(method.name() + "(" + method.signature())) {
-          declarations.add(head(2, "", method, plan.answers() ? ");" : ") override;"));
+          declarations.add(head("", method, plan.answers() ? ");" : ") override;"));
           definitions.add(definition(name, method, plan.answers()));
         }
       }
@@ -59,7 +59,7 @@ record AdapterView(
     if (plan.hardware()) {
       includes.own("sitaf/hardware.hpp");
       parameters.add("sitaf::Hardware& hardware");
-      fields.add("  sitaf::Hardware& hardware_;");
+      fields.add("sitaf::Hardware& hardware_;");
       initialisers.add("hardware_(hardware)");
     }
     CppNames scope = new CppNames();
@@ -67,7 +67,7 @@ record AdapterView(
       includes.own("sitaf/interfaces/" + required + ".hpp");
       String local = scope.local(required);
       parameters.add("sitaf::interfaces::" + required + "& " + local);
-      fields.add("  sitaf::interfaces::" + required + "& " + local + "_;");
+      fields.add("sitaf::interfaces::" + required + "& " + local + "_;");
       initialisers.add(local + "_(" + local + ")");
     }
     String explicit = parameters.size() == 1 ? "explicit " : "";
@@ -83,13 +83,13 @@ record AdapterView(
                 + plan.provided().stream()
                     .map(p -> "public sitaf::interfaces::" + p.name())
                     .collect(Collectors.joining(", ")),
-        CppText.list(2, explicit + name + "(", parameters, ");"),
+        CppText.list(explicit + name + "(", parameters, ");"),
         declarations,
         fields,
         plan.answers(),
         !fields.isEmpty() || !plan.answers(),
-        CppText.list(0, name + "::" + name + "(", parameters, ")")
-            + (initialisers.isEmpty() ? "" : "\n    : " + String.join(", ", initialisers))
+        CppText.list(name + "::" + name + "(", parameters, ")")
+            + (initialisers.isEmpty() ? "" : " : " + String.join(", ", initialisers))
             + " {",
         definitions);
   }
@@ -99,10 +99,9 @@ record AdapterView(
     return name.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_").toLowerCase(Locale.ROOT);
   }
 
-  private static String head(int indent, String scope, Method method, String tail) {
+  private static String head(String scope, Method method, String tail) {
     CppNames names = new CppNames();
     return CppText.list(
-        indent,
         CppType.outside(method.returnType()) + " " + scope + method.name() + "(",
         method.parameters().stream()
             .map(p -> CppType.outsideParameter(p, names.local(p.name())))
@@ -118,14 +117,14 @@ record AdapterView(
                 + String.join(", ", method.raises())
                 + ".";
     if (answers) {
-      return head(0, name + "::", method, ") {")
+      return head(name + "::", method, ") {")
           + "\n  // Write the method here."
           + errors
           + unused(method)
           + (method.returnType().isVoid() ? "" : "\n  return {};")
           + "\n}";
     }
-    return head(0, name + "::", method, ") {")
+    return head(name + "::", method, ") {")
         + "\n  // Delegate the call to the component"
         + (method.returnType().isVoid() ? "." : " and return its result.")
         + errors

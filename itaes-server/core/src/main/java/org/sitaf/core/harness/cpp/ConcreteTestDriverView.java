@@ -12,12 +12,14 @@ import org.sitaf.core.harness.plan.Words;
 record ConcreteTestDriverView(
     String namespace,
     List<String> includes,
-    String documentation,
+    String subject,
+    String model,
     List<String> properties,
     List<String> before,
+    boolean sequence,
     List<Call> calls) {
   /** A method that makes a call. */
-  record Call(String documentation, String head, String statement) {}
+  record Call(String method, String head, String statement) {}
 
   static ConcreteTestDriverView of(CppPlan plan) {
     List<DataType> types = new ArrayList<>();
@@ -25,34 +27,23 @@ record ConcreteTestDriverView(
     return new ConcreteTestDriverView(
         plan.namespace(),
         new Includes().own("TestDriver.hpp").types(types).lines(),
-        documentation(plan),
+        plan.called(),
+        CppText.comment(plan.plan().modelName()),
         properties(plan),
         before(plan),
-        plan.calls().stream().map(c -> call(c, plan.isSequence())).toList());
+        plan.isSequence(),
+        plan.calls().stream().map(ConcreteTestDriverView::call).toList());
   }
 
-  private static Call call(CppPlan plan, boolean inSequence) {
+  private static Call call(CppPlan plan) {
     boolean returns = !plan.plan().returnsNothing();
     return new Call(
-        inSequence
-            ? TestDriverView.callDocumentation(plan)
-            : "  /// Calls the method under test. Only this call is timed.",
-        plan.callHead(2, "", " override {"),
+        plan.called(),
+        plan.callHead(),
         CppText.list(
-            4,
             (returns ? "return " : "") + "component." + plan.plan().method().name() + "(",
             plan.arguments().stream().map(CppPlan.Argument::local).toList(),
             ");"));
-  }
-
-  private static String documentation(CppPlan plan) {
-    return CppText.documentation(
-        0,
-        List.of(
-            "Concrete test driver of " + plan.called() + ". You may edit this class.",
-            "To keep your changes, save this file in the activity as harness/"
-                + CppText.comment(plan.plan().modelName())
-                + "/ConcreteTestDriver.cpp. It then replaces the generated file."));
   }
 
   private static List<String> properties(CppPlan plan) {
@@ -70,7 +61,6 @@ record ConcreteTestDriverView(
   private static String property(String name, String value) {
     String setter = "set" + Words.raised(name);
     return CppText.list(
-        4,
         "runtime::setProperty(",
         List.of(
             "*component",
@@ -88,7 +78,7 @@ record ConcreteTestDriverView(
         arguments.add(
             CppType.expression(call.arguments().get(i), call.method().parameters().get(i).type()));
       }
-      statements.add(CppText.list(4, "component->" + call.method().name() + "(", arguments, ");"));
+      statements.add(CppText.list("component->" + call.method().name() + "(", arguments, ");"));
     }
     return statements;
   }

@@ -1,15 +1,7 @@
 package org.sitaf.core.harness.cpp;
 
-import com.samskivert.mustache.Mustache;
-import com.samskivert.mustache.Template;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
@@ -18,6 +10,7 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.cpp.syntax.ComponentHeader;
 import org.sitaf.core.harness.cpp.syntax.CppNames;
+import org.sitaf.core.harness.layout.SourcePrinter;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
@@ -28,7 +21,8 @@ import org.sitaf.core.harness.plan.HarnessWriter;
 public final class CppHarness implements HarnessWriter {
   private static final String CONCRETE = "ConcreteTestDriver.cpp";
 
-  private static final Mustache.Compiler TEMPLATES = Mustache.compiler().escapeHTML(false);
+  private static final SourcePrinter PRINTER =
+      new SourcePrinter(CppHarness.class, CppLayout::format);
 
   private final Activity activity;
 
@@ -120,15 +114,6 @@ public final class CppHarness implements HarnessWriter {
   }
 
   private static byte[] print(String template, Object view) {
-    return load(template).execute(view).getBytes(StandardCharsets.UTF_8);
-  }
-
-  private static Template load(String name) {
-    try (InputStream stream = CppHarness.class.getResourceAsStream(name + ".mustache")) {
-      return TEMPLATES.compile(
-          new InputStreamReader(Objects.requireNonNull(stream, name), StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return PRINTER.print(template, view);
   }
 }

@@ -233,12 +233,11 @@ record CppPlan(
   }
 
   /** The declaration of the function that makes the call. */
-  String callHead(int indent, String before, String tail) {
+  String callHead() {
     List<String> parameters = new ArrayList<>();
     parameters.add("Component& component");
     arguments.forEach(a -> parameters.add(CppType.parameter(a.parameter(), a.local(), false)));
-    return CppText.list(
-        indent, before + returnType() + " " + callName + "(", parameters, ")" + tail);
+    return CppText.list(returnType() + " " + callName + "(", parameters, ")");
   }
 
   /** {@code Interface.Method} or the interface of a sequence, escaped for a comment. */

@@ -10,7 +10,12 @@ import org.sitaf.core.harness.cpp.syntax.CppType;
 
 /** The view of an interface. */
 record InterfaceView(
-    String name, List<String> includes, String documentation, List<String> methods) {
+    String name,
+    List<String> includes,
+    boolean required,
+    String described,
+    String source,
+    List<String> methods) {
 
   static InterfaceView of(String name, String source, List<Method> methods, boolean required) {
     List<DataType> types = new ArrayList<>();
@@ -21,23 +26,15 @@ record InterfaceView(
     return new InterfaceView(
         name,
         new Includes().types(types).lines(),
-        CppText.documentation(
-            0,
-            List.of(
-                "The "
-                    + (required ? "required" : "provided")
-                    + " interface "
-                    + CppText.comment(name)
-                    + ", described in "
-                    + CppText.comment(source)
-                    + ".")),
+        required,
+        CppText.comment(name),
+        CppText.comment(source),
         methods.stream().map(InterfaceView::declaration).toList());
   }
 
   private static String declaration(Method method) {
     CppNames scope = new CppNames();
     return CppText.list(
-        2,
         "virtual " + CppType.within(method.returnType()) + " " + method.name() + "(",
         method.parameters().stream()
             .map(p -> CppType.parameter(p, scope.local(p.name()), true))

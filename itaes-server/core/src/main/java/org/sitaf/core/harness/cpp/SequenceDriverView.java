@@ -13,7 +13,9 @@ import org.sitaf.core.harness.plan.HarnessPlan.World;
 record SequenceDriverView(
     String namespace,
     List<String> includes,
-    String documentation,
+    String called,
+    String model,
+    String description,
     String component,
     String constructor,
     String newComponent,
@@ -39,9 +41,9 @@ record SequenceDriverView(
 
   /** The method of a call. */
   record Call(
-      String callDocumentation,
-      String callDeclaration,
-      String documentation,
+      String called,
+      String callHead,
+      String step,
       String method,
       List<String> reads,
       @Nullable String settle,
@@ -52,7 +54,7 @@ record SequenceDriverView(
       List<String> outputs) {}
 
   /** The method of an event. */
-  record Event(String documentation, String method, String statement) {}
+  record Event(String step, String parameter, String method, String statement) {}
 
   static SequenceDriverView of(CppPlan plan) {
     HarnessPlan.Sequence sequence = Objects.requireNonNull(plan.plan().sequence());
@@ -74,19 +76,19 @@ record SequenceDriverView(
     return new SequenceDriverView(
         plan.namespace(),
         TestDriverView.includes(plan),
-        TestDriverView.documentation(plan),
+        plan.called(),
+        CppText.comment(plan.plan().modelName()),
+        CppText.comment(plan.plan().description()),
         plan.component(),
         TestDriverView.constructor(plan),
         CppText.list(
-            2, "return runtime::createComponent<Component>(", TestDriverView.offered(plan), ");"),
+            "return runtime::createComponent<Component>(", TestDriverView.offered(plan), ");"),
         TestDriverView.reads(plan),
         CppText.list(
-            2,
             "simulationControl_.prepare(",
             plan.settings().stream().map(CppPlan.Setting::local).toList(),
             ");"),
         CppText.list(
-            2,
             "testStub_.prepare(",
             plan.answers().stream().map(CppPlan.Answer::local).toList(),
             ");"),
@@ -103,9 +105,9 @@ record SequenceDriverView(
   private static Call call(CppPlan.Step step, CppPlan plan) {
     World world = plan.plan().world();
     return new Call(
-        TestDriverView.callDocumentation(plan),
-        plan.callHead(2, "virtual ", " = 0;"),
-        CppText.documentation(2, List.of("The step " + CppText.comment(step.name()) + ": a call.")),
+        plan.called(),
+        plan.callHead(),
+        CppText.comment(step.name()),
         step.method(),
         TestDriverView.reads(plan),
         world == null || world.settle().isZero()
@@ -122,17 +124,10 @@ record SequenceDriverView(
 
   private static Event event(CppPlan.Step step, HarnessPlan.EventStep event) {
     return new Event(
-        CppText.documentation(
-            2,
-            List.of(
-                "The step "
-                    + CppText.comment(step.name())
-                    + ": an event that sets "
-                    + CppText.comment(event.parameter())
-                    + ".")),
+        CppText.comment(step.name()),
+        CppText.comment(event.parameter()),
         step.method(),
         CppText.list(
-            2,
             "simulationControl_.set(",
             List.of(CppText.string(event.parameter()), String.valueOf(event.value())),
             ");"));

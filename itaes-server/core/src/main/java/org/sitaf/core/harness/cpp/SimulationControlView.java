@@ -1,9 +1,9 @@
 package org.sitaf.core.harness.cpp;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import org.sitaf.core.harness.cpp.syntax.CppText;
 import org.sitaf.core.harness.plan.HarnessPlan.World;
 
@@ -12,10 +12,9 @@ record SimulationControlView(
     String namespace,
     boolean hasWorld,
     List<String> includes,
-    String documentation,
-    String prepareDocumentation,
-    String prepareDeclaration,
-    String prepareHead,
+    String world,
+    List<Setting> settings,
+    String parameters,
     String prepareStatement,
     String constructor,
     String settle,
@@ -27,27 +26,21 @@ record SimulationControlView(
     boolean observes,
     boolean sequence) {
 
+  /** A parameter of the world that a case sets. */
+  record Setting(String local, String name, String unit, String min, String max) {}
+
   static SimulationControlView of(CppPlan plan) {
     World world = plan.plan().world();
     // If no simulation time passes during a case, the worlds of several cases are prepared in one
     // call.
     boolean ahead = world != null && !plan.runsOn() && !plan.isPeriodic();
-    List<String> parameters = plan.settings().stream().map(s -> "double " + s.local()).toList();
     return new SimulationControlView(
         plan.namespace(),
         world != null,
         includes(plan),
-        CppText.documentation(
-            0,
-            List.of(
-                world == null
-                    ? "Simulation control (SC): not used, because the activity has no world."
-                    : "Simulation control (SC): sets up the virtual environment "
-                        + CppText.comment(world.path())
-                        + ".")),
-        prepareDocumentation(plan),
-        CppText.list(2, "void prepare(", parameters, ");"),
-        CppText.list(0, "void SimulationControl::prepare(", parameters, ") {"),
+        world == null ? "" : CppText.comment(world.path()),
+        settings(plan),
+        plan.settings().stream().map(s -> "double " + s.local()).collect(Collectors.joining(", ")),
         world == null ? "" : prepareStatement(plan, ahead),
         CppText.constructor(
             "SimulationControl::SimulationControl(runtime::TestRun& run)",
@@ -78,27 +71,17 @@ record SimulationControlView(
     return includes.lines();
   }
 
-  private static String prepareDocumentation(CppPlan plan) {
-    List<String> paragraphs = new ArrayList<>();
-    paragraphs.add(
-        plan.isPeriodic()
-            ? "Resets the world and sets the parameters of a case."
-            : "Resets the world, sets the parameters of a case, and lets the world settle.");
-    plan.settings()
-        .forEach(
+  private static List<Setting> settings(CppPlan plan) {
+    return plan.settings().stream()
+        .map(
             s ->
-                paragraphs.add(
-                    "- "
-                        + s.local()
-                        + ": "
-                        + s.setting().name()
-                        + " in "
-                        + CppText.comment(s.setting().unit())
-                        + ", from "
-                        + s.setting().min()
-                        + " to "
-                        + s.setting().max()));
-    return CppText.documentation(2, paragraphs);
+                new Setting(
+                    s.local(),
+                    s.setting().name(),
+                    CppText.comment(s.setting().unit()),
+                    String.valueOf(s.setting().min()),
+                    String.valueOf(s.setting().max())))
+        .toList();
   }
 
   private static String prepareStatement(CppPlan plan, boolean ahead) {
@@ -110,7 +93,6 @@ record SimulationControlView(
     // A component that is executed periodically settles after the preparation.
     String settle = plan.isPeriodic() ? "std::chrono::nanoseconds(0), settleTime" : "settleTime";
     return CppText.list(
-        2,
         ahead ? "simulation_.prepareAhead(" : "simulation_.prepare(",
         ahead
             ? List.of("{" + names + "}", "{" + values + "}", settle, "upcoming_")

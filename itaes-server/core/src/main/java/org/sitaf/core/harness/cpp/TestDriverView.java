@@ -22,11 +22,12 @@ import org.sitaf.core.harness.plan.Words;
 record TestDriverView(
     String namespace,
     List<String> includes,
-    String documentation,
+    String called,
+    String model,
+    String description,
     String component,
     String constructor,
-    String callDocumentation,
-    String callDeclaration,
+    String callHead,
     String newComponent,
     List<String> reads,
     String prepareWorld,
@@ -44,20 +45,19 @@ record TestDriverView(
     return new TestDriverView(
         plan.namespace(),
         includes(plan),
-        documentation(plan),
+        plan.called(),
+        CppText.comment(plan.plan().modelName()),
+        CppText.comment(plan.plan().description()),
         plan.component(),
         constructor(plan),
-        callDocumentation(plan),
-        plan.callHead(2, "virtual ", " = 0;"),
-        CppText.list(2, "return runtime::createComponent<Component>(", offered(plan), ");"),
+        plan.callHead(),
+        CppText.list("return runtime::createComponent<Component>(", offered(plan), ");"),
         reads(plan),
         CppText.list(
-            2,
             "simulationControl_.prepare(",
             plan.settings().stream().map(CppPlan.Setting::local).toList(),
             ");"),
         CppText.list(
-            2,
             "testStub_.prepare(",
             plan.answers().stream().map(CppPlan.Answer::local).toList(),
             ");"),
@@ -70,11 +70,6 @@ record TestDriverView(
         plan.plan().outputs().stream().map(o -> output(plan, o)).toList());
   }
 
-  static String callDocumentation(CppPlan plan) {
-    return CppText.documentation(
-        2, List.of("Calls the method under test, " + plan.called() + ". Only this call is timed."));
-  }
-
   private static String returned(CppPlan plan) {
     return plan.plan().returnsNothing() ? "" : "const " + plan.returnType() + " returned = ";
   }
@@ -85,9 +80,8 @@ record TestDriverView(
                 Stream.of("component"), plan.arguments().stream().map(CppPlan.Argument::local))
             .toList();
     return plan.plan().method().callType() != CallType.NONBLOCKING
-        ? CppText.list(2, returned(plan) + plan.callName() + "(", arguments, ");")
+        ? CppText.list(returned(plan) + plan.callName() + "(", arguments, ");")
         : CppText.list(
-            2,
             "auto pending = callNonblocking(",
             List.of(
                 "[&] { return " + plan.callName() + "(" + String.join(", ", arguments) + "); }"),
@@ -95,7 +89,7 @@ record TestDriverView(
   }
 
   static String collect(CppPlan plan) {
-    return "  " + returned(plan) + "pending.outcome();";
+    return returned(plan) + "pending.outcome();";
   }
 
   static String constructor(CppPlan plan) {
@@ -138,20 +132,6 @@ record TestDriverView(
         .lines();
   }
 
-  static String documentation(CppPlan plan) {
-    List<String> paragraphs = new ArrayList<>();
-    paragraphs.add(
-        "Test driver (TD) of "
-            + plan.called()
-            + ": runs the cases of the test model "
-            + CppText.comment(plan.plan().modelName())
-            + ".");
-    if (!plan.plan().description().isBlank()) {
-      paragraphs.add(CppText.comment(plan.plan().description()));
-    }
-    return CppText.documentation(0, paragraphs);
-  }
-
   /** The objects that are passed to the component's constructor. */
   static List<String> offered(CppPlan plan) {
     List<String> offered = new ArrayList<>();
@@ -169,8 +149,8 @@ record TestDriverView(
       if (argument.isConstant()) {
         reads.add(read("const auto " + argument.local(), type, argument.argument().name()));
       } else {
-        reads.add("  " + type + " " + argument.local() + "{};");
-        sizes(argument).forEach((path, size) -> reads.add("  " + path + ".resize(" + size + ");"));
+        reads.add(type + " " + argument.local() + "{};");
+        sizes(argument).forEach((path, size) -> reads.add(path + ".resize(" + size + ");"));
         for (HarnessPlan.Given given : argument.argument().given()) {
           reads.add(
               read(
@@ -185,7 +165,6 @@ record TestDriverView(
     for (CppPlan.Answer answer : plan.answers()) {
       reads.add(
           CppText.assignment(
-              2,
               "const auto " + answer.local(),
               "runtime::answer<"
                   + plan.typeOf(answer)
@@ -197,8 +176,7 @@ record TestDriverView(
   }
 
   private static String read(String left, String type, String column) {
-    return CppText.assignment(
-        2, left, "testCase.value<" + type + ">(" + CppText.string(column) + ")");
+    return CppText.assignment(left, "testCase.value<" + type + ">(" + CppText.string(column) + ")");
   }
 
   /** The required length of each sequence whose elements are set individually, outer ones first. */
@@ -249,7 +227,6 @@ record TestDriverView(
         .map(
             port ->
                 CppText.list(
-                    2,
                     "watch(",
                     List.of(
                         CppText.string(port.name()),
@@ -263,14 +240,13 @@ record TestDriverView(
   static String output(CppPlan plan, Output output) {
     String name = CppText.string(output.name());
     if (output.type().isVoid()) {
-      return CppText.list(2, "result.recordReturn(", List.of(name), ");");
+      return CppText.list("result.recordReturn(", List.of(name), ");");
     }
     List<Step> path = output.source().path();
     String value = path(expression(plan, output.source()), path, true);
     return path.stream().anyMatch(Step.Element.class::isInstance)
-        ? CppText.list(
-            2, "result.recordPart(", List.of(name, "[&] { return " + value + "; }"), ");")
-        : CppText.list(2, "result.record(", List.of(name, value), ");");
+        ? CppText.list("result.recordPart(", List.of(name, "[&] { return " + value + "; }"), ");")
+        : CppText.list("result.record(", List.of(name, value), ");");
   }
 
   private static String expression(CppPlan plan, Source source) {

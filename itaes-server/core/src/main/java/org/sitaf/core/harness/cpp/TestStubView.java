@@ -18,8 +18,7 @@ record TestStubView(
     boolean hasStubs,
     List<String> includes,
     List<Interface> interfaces,
-    String prepareDeclaration,
-    String prepareHead,
+    String answers,
     List<String> settings,
     List<Error> errors,
     String constructor,
@@ -50,8 +49,7 @@ record TestStubView(
         !plan.stubs().isEmpty(),
         includes(plan),
         plan.stubs().stream().map(TestStubView::answering).toList(),
-        CppText.list(2, "void prepare(", parameters, ");"),
-        CppText.list(0, "void TestStub::prepare(", parameters, ") {"),
+        String.join(", ", parameters),
         settings(plan),
         plan.plan().errors().stream().map(e -> new Error(e, CppText.string(e))).toList(),
         CppText.constructor(
@@ -61,10 +59,7 @@ record TestStubView(
                     plan.stubs().stream().map(stub -> stub.name() + "_(stubbing_)"))
                 .toList()),
         CppText.list(
-            2,
-            "stubbing_.begin(",
-            List.of("{" + String.join(", ", methodNames(plan)) + "}"),
-            ");"));
+            "stubbing_.begin(", List.of("{" + String.join(", ", methodNames(plan)) + "}"), ");"));
   }
 
   private static List<String> methodNames(CppPlan plan) {
@@ -100,11 +95,10 @@ record TestStubView(
       for (CppPlan.StubMethod method : stub.methods()) {
         for (CppPlan.Answers answers : method.answers()) {
           String member = stub.name() + "_." + answers.member() + "_";
-          statements.add("  " + member + ".reset();");
+          statements.add(member + ".reset();");
           for (CppPlan.Answer answer : answers.byCall()) {
             statements.add(
                 CppText.list(
-                    2,
                     member + ".set(",
                     List.of(Integer.toString(answer.answer().fromCall()), answer.local()),
                     ");"));
@@ -130,17 +124,16 @@ record TestStubView(
       }
       String returns = CppType.of(prototype.returnType());
       declarations.add(
-          CppText.list(2, returns + " " + prototype.name() + "(", parameters, ") override;"));
+          CppText.list(returns + " " + prototype.name() + "(", parameters, ") override;"));
       functions.add(
           new Function(
               CppText.list(
-                  0,
                   returns + " " + stub.className() + "::" + prototype.name() + "(",
                   parameters,
                   ") {"),
               body(stub, method, locals)));
       for (CppPlan.Answers answers : method.answers()) {
-        members.add("  runtime::Answers<" + answers.type() + "> " + answers.member() + "_;");
+        members.add("runtime::Answers<" + answers.type() + "> " + answers.member() + "_;");
       }
     }
     return new Interface(
@@ -161,7 +154,6 @@ record TestStubView(
     }
     body.add(
         CppText.list(
-            2,
             "const runtime::StubbedCall call(",
             List.of(
                 "stubbing_",
@@ -172,18 +164,17 @@ record TestStubView(
       Parameter parameter = prototype.parameters().get(i);
       for (CppPlan.Answers answers : method.answers()) {
         if (parameter.equals(answers.parameter())) {
-          body.add("  " + locals.get(i) + " = " + answers.member() + "_.give(call);");
+          body.add(locals.get(i) + " = " + answers.member() + "_.give(call);");
         }
       }
     }
     CppPlan.Answers returned = method.returned();
     if (prototype.returnType().isVoid()) {
       if (returned != null) {
-        body.add("  " + returned.member() + "_.give(call);");
+        body.add(returned.member() + "_.give(call);");
       }
     } else {
-      body.add(
-          returned == null ? "  return {};" : "  return " + returned.member() + "_.give(call);");
+      body.add(returned == null ? "return {};" : "return " + returned.member() + "_.give(call);");
     }
     return body;
   }

@@ -58,7 +58,7 @@ record TypeView(
   /** The declaration of the enumeration. */
   String declaration() {
     return CppText.list(
-        0, "enum class " + name + " { ", parts.stream().map(Part::name).toList(), " };");
+        "enum class " + name + " { ", parts.stream().map(Part::name).toList(), " };");
   }
 
   /** The number of literals of an enumeration. */

@@ -24,7 +24,7 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 record AdapterView(
     String packageName,
     SortedSet<String> imports,
-    String documentation,
+    boolean answers,
     String name,
     String interfaces,
     String constructor,
@@ -60,14 +60,7 @@ record AdapterView(
     return new AdapterView(
             dot < 0 ? "" : plan.className().substring(0, dot),
             imports,
-            JavaText.javadoc(
-                0,
-                List.of(
-                    plan.answers()
-                        ? "The component under test. Its methods return zero values until they are"
-                            + " written."
-                        : "Binds the component to the interfaces of its test."),
-                List.of()),
+            plan.answers(),
             name,
             plan.answers() ? "" : " implements " + String.join(", ", interfaceNames),
             constructor(name, plan),
@@ -90,7 +83,7 @@ record AdapterView(
     return new AdapterView(
         packageName,
         others,
-        documentation,
+        answers,
         name,
         qualified.apply(interfaces),
         qualified.apply(constructor),
@@ -105,7 +98,7 @@ record AdapterView(
     for (String required : plan.required()) {
       parameters.add(required + " " + JavaPlanner.local(required));
     }
-    return JavaText.declaration(2, "public " + name, parameters, false, " {")
+    return JavaText.declaration("  public " + name, parameters, " {")
         + (plan.answers() ? "" : "\n    // Create the component here and store it in a field.")
         + (plan.hardware() ? "\n    // The hardware gives access to the simulated devices." : "")
         + (plan.required().isEmpty()
@@ -119,10 +112,8 @@ record AdapterView(
         method.errors().isEmpty() ? "" : " throws " + String.join(", ", method.errors());
     return (answers ? "" : "  @Override\n")
         + JavaText.declaration(
-            2,
-            "public " + method.returnName() + " " + method.name(),
+            "  public " + method.returnName() + " " + method.name(),
             method.parameters().stream().map(JavaParameter::declaration).toList(),
-            false,
             errors + " {")
         + (answers ? zeros(method) : notWritten(method))
         + "\n  }";

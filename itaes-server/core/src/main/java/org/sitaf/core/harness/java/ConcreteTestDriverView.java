@@ -12,14 +12,14 @@ import org.sitaf.core.harness.java.plan.JavaText;
 record ConcreteTestDriverView(
     String packageName,
     SortedSet<String> imports,
-    String documentation,
+    String subject,
+    String model,
     String component,
     List<String> setUp,
-    String beforeDeclaration,
-    String afterDeclaration,
+    boolean sequence,
     List<Call> calls) {
   /** A method that makes a call. */
-  record Call(String documentation, String declaration, String statement) {}
+  record Call(String method, String declaration, String statement) {}
 
   static ConcreteTestDriverView of(JavaPlan plan) {
     SortedSet<String> imports = new TreeSet<>();
@@ -30,41 +30,22 @@ record ConcreteTestDriverView(
     return new ConcreteTestDriverView(
         plan.packageName(),
         imports,
-        documentation(plan),
+        JavaText.comment(TestDriverView.subject(plan)),
+        JavaText.comment(plan.modelName()),
         plan.component(),
         setUp(plan),
-        hook(plan, "beforeCase"),
-        hook(plan, "afterCase"),
-        plan.calls().stream().map(c -> call(c, plan.isSequence())).toList());
+        plan.isSequence(),
+        plan.calls().stream().map(ConcreteTestDriverView::call).toList());
   }
 
-  private static Call call(JavaPlan plan, boolean inSequence) {
+  private static Call call(JavaPlan plan) {
     return new Call(
-        inSequence
-            ? TestDriverView.callDocumentation(plan)
-            : "  /** Calls the method under test. Only this call is timed. */",
-        TestDriverView.callDeclaration(plan, "", " {"),
+        TestDriverView.methodUnderTest(plan),
+        TestDriverView.callDeclaration(plan),
         JavaText.call(
-            4,
             plan.returns() == null ? "" : "return",
             "component." + plan.method(),
             plan.arguments().stream().map(Argument::local).toList()));
-  }
-
-  private static String documentation(JavaPlan plan) {
-    return JavaText.javadoc(
-        0,
-        List.of(
-            "Concrete test driver of "
-                + JavaText.comment(
-                    plan.isSequence()
-                        ? "sequences of " + plan.interfaceName()
-                        : plan.interfaceName() + "." + plan.method())
-                + ". You may edit this class.",
-            "To keep your changes, save this file in the activity as harness/"
-                + JavaText.comment(plan.modelName())
-                + "/ConcreteTestDriver.java. It then replaces the generated file."),
-        List.of());
   }
 
   private static List<String> setUp(JavaPlan plan) {
@@ -74,7 +55,6 @@ record ConcreteTestDriverView(
             (name, value) ->
                 statements.add(
                     JavaText.call(
-                        4,
                         "",
                         "setProperty",
                         List.of("component", JavaText.string(name), JavaText.string(value)))));
@@ -83,26 +63,15 @@ record ConcreteTestDriverView(
             name ->
                 statements.add(
                     JavaText.call(
-                        4,
                         "",
                         "setProperty",
                         List.of(
                             "component",
                             JavaText.string(name),
                             "currentCase().stringValue(" + JavaText.string(name) + ")"))));
-    statements.add("    begin(component);");
+    statements.add("begin(component);");
     plan.before()
-        .forEach(
-            c -> statements.add(JavaText.call(4, "", "component." + c.method(), c.arguments())));
+        .forEach(c -> statements.add(JavaText.call("", "component." + c.method(), c.arguments())));
     return statements;
-  }
-
-  private static String hook(JavaPlan plan, String name) {
-    return JavaText.declaration(
-        2,
-        "protected void " + name,
-        List.of(plan.component() + " component", "TestCase testCase"),
-        true,
-        " {}");
   }
 }

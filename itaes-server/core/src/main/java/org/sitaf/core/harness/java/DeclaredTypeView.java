@@ -10,11 +10,11 @@ record DeclaredTypeView(
     String name,
     boolean hasImports,
     SortedSet<String> imports,
-    String documentation,
+    String typeName,
     boolean isEnum,
     boolean hasMembers,
-    String head,
-    String zero,
+    String members,
+    String zeros,
     List<String> literals) {
 
   static DeclaredTypeView of(JavaDeclaredType type) {
@@ -22,23 +22,11 @@ record DeclaredTypeView(
         type.name(),
         !type.imports().isEmpty(),
         type.imports(),
-        JavaText.javadoc(
-            0,
-            List.of(
-                "The type "
-                    + JavaText.comment(type.typeName())
-                    + " of the component's interfaces."),
-            List.of()),
+        JavaText.comment(type.typeName()),
         type.isEnum(),
         !type.members().isEmpty(),
-        JavaText.declaration(0, "public record " + type.name(), type.members(), false, " {"),
-        JavaText.call(4, "", "this", type.zeros()),
-        separated(type.literals()));
-  }
-
-  private static List<String> separated(List<String> literals) {
-    return java.util.stream.IntStream.range(0, literals.size())
-        .mapToObj(i -> "  " + literals.get(i) + (i < literals.size() - 1 ? "," : ""))
-        .toList();
+        String.join(", ", type.members()),
+        String.join(", ", type.zeros()),
+        type.literals());
   }
 }

@@ -14,7 +14,9 @@ record InterfaceView(
     String name,
     boolean hasImports,
     SortedSet<String> imports,
-    String documentation,
+    String role,
+    String described,
+    String source,
     List<String> methods) {
 
   static InterfaceView of(Interface described) {
@@ -26,17 +28,9 @@ record InterfaceView(
         described.name(),
         !imports.isEmpty(),
         imports,
-        JavaText.javadoc(
-            0,
-            List.of(
-                "The "
-                    + described.role()
-                    + " interface "
-                    + JavaText.comment(described.name())
-                    + ", described in "
-                    + JavaText.comment(described.source())
-                    + "."),
-            List.of()),
+        described.role(),
+        JavaText.comment(described.name()),
+        JavaText.comment(described.source()),
         described.methods().stream().map(InterfaceView::declaration).toList());
   }
 
@@ -44,10 +38,8 @@ record InterfaceView(
     String errors =
         method.errors().isEmpty() ? "" : " throws " + String.join(", ", method.errors());
     return JavaText.declaration(
-        2,
         method.returnName() + " " + method.name(),
         method.parameters().stream().map(p -> p.declaration()).toList(),
-        false,
         errors + ";");
   }
 

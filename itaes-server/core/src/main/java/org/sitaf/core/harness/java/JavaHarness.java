@@ -1,21 +1,14 @@
 package org.sitaf.core.harness.java;
 
-import com.samskivert.mustache.Mustache;
-import com.samskivert.mustache.Template;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Objects;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.java.plan.JavaDeclaredType;
 import org.sitaf.core.harness.java.plan.JavaPlan;
 import org.sitaf.core.harness.java.plan.JavaPlanner;
 import org.sitaf.core.harness.java.plan.JavaType;
+import org.sitaf.core.harness.layout.SourcePrinter;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
@@ -28,7 +21,8 @@ public final class JavaHarness implements HarnessWriter {
 
   private static final String INTERFACES = JavaType.INTERFACES.replace('.', '/') + "/";
 
-  private static final Mustache.Compiler TEMPLATES = Mustache.compiler().escapeHTML(false);
+  private static final SourcePrinter PRINTER =
+      new SourcePrinter(JavaHarness.class, JavaLayout::format);
 
   @Override
   public FileTree write(HarnessPlan neutral, Diagnostics diagnostics) {
@@ -85,15 +79,6 @@ public final class JavaHarness implements HarnessWriter {
   }
 
   private static byte[] print(String template, Object view) {
-    return load(template).execute(view).getBytes(StandardCharsets.UTF_8);
-  }
-
-  private static Template load(String name) {
-    try (InputStream stream = JavaHarness.class.getResourceAsStream(name + ".mustache")) {
-      return TEMPLATES.compile(
-          new InputStreamReader(Objects.requireNonNull(stream, name), StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return PRINTER.print(template, view);
   }
 }

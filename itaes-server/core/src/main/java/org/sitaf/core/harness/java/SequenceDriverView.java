@@ -14,7 +14,9 @@ import org.sitaf.core.harness.java.plan.JavaText;
 record SequenceDriverView(
     String packageName,
     SortedSet<String> imports,
-    String documentation,
+    String subject,
+    String model,
+    String description,
     String component,
     String superCall,
     String simulation,
@@ -42,21 +44,23 @@ record SequenceDriverView(
 
   /** The method of a call. */
   record Call(
-      String callDocumentation,
+      String methodUnderTest,
       String callDeclaration,
-      String documentation,
+      String step,
       String method,
       List<String> reads,
       @Nullable String settle,
       @Nullable String runFor,
       boolean nonblocking,
-      String begin,
+      String pendingType,
+      boolean returns,
+      String expression,
       String call,
       String outcome,
       List<String> outputs) {}
 
   /** The method of an event. */
-  record Event(String documentation, String method, String statement) {}
+  record Event(String step, String parameter, String method, String statement) {}
 
   static SequenceDriverView of(JavaPlan plan) {
     List<Choice> choices = new ArrayList<>();
@@ -77,16 +81,18 @@ record SequenceDriverView(
     return new SequenceDriverView(
         plan.packageName(),
         imports(plan),
-        TestDriverView.documentation(plan),
+        JavaText.comment(TestDriverView.subject(plan)),
+        JavaText.comment(plan.modelName()),
+        JavaText.comment(plan.description()),
         plan.component(),
         TestDriverView.superCall(plan),
         plan.world() == null ? "" : "run.simulation()",
         plan.stubs().isEmpty() ? "" : "run.stubbing()",
-        JavaText.call(4, "return", "newComponent", TestDriverView.newComponentArguments(plan)),
+        JavaText.call("return", "newComponent", TestDriverView.newComponentArguments(plan)),
         TestDriverView.reads(plan),
-        JavaText.call(4, "", "simulationControl.prepare", TestDriverView.settings(plan)),
+        JavaText.call("", "simulationControl.prepare", TestDriverView.settings(plan)),
         JavaText.call(
-            4, "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
+            "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
         TestDriverView.watches(plan),
         plan.period() != null,
         SimulationControlView.runsOn(plan),
@@ -100,10 +106,9 @@ record SequenceDriverView(
   private static Call call(JavaPlan.Step step, JavaPlan plan) {
     World world = plan.world();
     return new Call(
-        TestDriverView.callDocumentation(plan),
-        TestDriverView.callDeclaration(plan, "abstract ", ";"),
-        JavaText.javadoc(
-            2, List.of("The step " + JavaText.comment(step.name()) + ": a call."), List.of()),
+        TestDriverView.methodUnderTest(plan),
+        TestDriverView.callDeclaration(plan),
+        JavaText.comment(step.name()),
         step.method(),
         TestDriverView.reads(plan),
         world == null || world.settle().isZero()
@@ -113,7 +118,9 @@ record SequenceDriverView(
             ? null
             : SimulationControlView.duration(world.runFor()),
         plan.nonblocking(),
-        TestDriverView.begin(plan),
+        TestDriverView.pendingType(plan),
+        plan.returns() != null,
+        TestDriverView.expression(plan),
         TestDriverView.call(plan),
         TestDriverView.outcome(plan),
         plan.outputs().stream().map(TestDriverView::output).toList());
@@ -121,18 +128,10 @@ record SequenceDriverView(
 
   private static Event event(JavaPlan.Step step) {
     return new Event(
-        JavaText.javadoc(
-            2,
-            List.of(
-                "The step "
-                    + JavaText.comment(step.name())
-                    + ": an event that sets "
-                    + JavaText.comment(step.parameter())
-                    + "."),
-            List.of()),
+        JavaText.comment(step.name()),
+        JavaText.comment(step.parameter()),
         step.method(),
         JavaText.call(
-            4,
             "",
             "simulationControl.set",
             List.of(JavaText.string(step.parameter()), String.valueOf(step.value()))));

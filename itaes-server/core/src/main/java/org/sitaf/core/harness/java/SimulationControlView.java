@@ -2,6 +2,7 @@ package org.sitaf.core.harness.java;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.sitaf.core.harness.java.plan.JavaPlan;
 import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.java.plan.JavaText;
@@ -10,7 +11,7 @@ import org.sitaf.core.harness.java.plan.JavaText;
 record SimulationControlView(
     String packageName,
     boolean hasWorld,
-    String documentation,
+    String world,
     String settle,
     String runFor,
     String period,
@@ -18,42 +19,26 @@ record SimulationControlView(
     boolean runsOn,
     boolean observes,
     boolean sequence,
-    boolean hasSettings,
-    String prepareDocumentation,
-    String prepareDeclaration,
-    List<String> puts) {
+    List<Setting> settings) {
+
+  /** A parameter of the world that a case sets. */
+  record Setting(String name, String local, String documentation, boolean last) {}
+
+  boolean hasSettings() {
+    return !settings.isEmpty();
+  }
 
   static SimulationControlView of(JavaPlan plan) {
     World world = plan.world();
     if (world == null) {
       return new SimulationControlView(
-          plan.packageName(),
-          false,
-          "",
-          "",
-          "",
-          "",
-          false,
-          false,
-          false,
-          false,
-          false,
-          "",
-          "",
-          List.of());
+          plan.packageName(), false, "", "", "", "", false, false, false, false, List.of());
     }
-    List<World.Setting> settings = world.settings();
     Duration period = plan.period();
     return new SimulationControlView(
         plan.packageName(),
         true,
-        JavaText.javadoc(
-            0,
-            List.of(
-                "Simulation control (SC): sets up the virtual environment "
-                    + JavaText.comment(world.path())
-                    + "."),
-            List.of()),
+        JavaText.comment(world.path()),
         duration(world.settle()),
         duration(world.runFor()),
         period == null ? "" : duration(period),
@@ -61,26 +46,19 @@ record SimulationControlView(
         runsOn(plan),
         plan.observes(),
         plan.isSequence(),
-        !settings.isEmpty(),
-        JavaText.javadoc(
-            2,
-            List.of(
-                period == null
-                    ? "Resets the world, sets the parameters of a case, and lets the world settle."
-                    : "Resets the world and sets the parameters of a case."),
-            settings.stream().map(s -> "@param " + s.local() + " " + s.documentation()).toList()),
-        JavaText.declaration(
-            2,
-            "void prepare",
-            settings.stream().map(s -> "double " + s.local()).toList(),
-            false,
-            " {"),
-        settings.stream()
-            .map(
-                s ->
-                    JavaText.call(
-                        4, "", "parameters.put", List.of(JavaText.string(s.name()), s.local())))
-            .toList());
+        settings(world.settings()));
+  }
+
+  private static List<Setting> settings(List<World.Setting> settings) {
+    return IntStream.range(0, settings.size())
+        .mapToObj(
+            i ->
+                new Setting(
+                    JavaText.string(settings.get(i).name()),
+                    settings.get(i).local(),
+                    settings.get(i).documentation(),
+                    i == settings.size() - 1))
+        .toList();
   }
 
   /** Whether simulation time passes after the call. */

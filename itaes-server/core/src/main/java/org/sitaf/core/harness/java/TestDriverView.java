@@ -18,13 +18,15 @@ import org.sitaf.core.harness.java.plan.JavaType;
 record TestDriverView(
     String packageName,
     SortedSet<String> imports,
-    String documentation,
+    String subject,
+    String model,
+    String description,
     String component,
     String superCall,
     String simulation,
     String stubbing,
     String newComponent,
-    String callDocumentation,
+    String methodUnderTest,
     String callDeclaration,
     List<String> reads,
     String prepareWorld,
@@ -34,7 +36,9 @@ record TestDriverView(
     boolean runOn,
     boolean periodic,
     boolean nonblocking,
-    String begin,
+    String pendingType,
+    boolean returns,
+    String expression,
     String outcome,
     List<String> outputs) {
 
@@ -42,24 +46,28 @@ record TestDriverView(
     return new TestDriverView(
         plan.packageName(),
         imports(plan),
-        documentation(plan),
+        JavaText.comment(subject(plan)),
+        JavaText.comment(plan.modelName()),
+        JavaText.comment(plan.description()),
         plan.component(),
         superCall(plan),
         plan.world() == null ? "" : "run.simulation()",
         plan.stubs().isEmpty() ? "" : "run.stubbing()",
-        JavaText.call(4, "return", "newComponent", newComponentArguments(plan)),
-        callDocumentation(plan),
-        callDeclaration(plan, "abstract ", ";"),
+        JavaText.call("return", "newComponent", newComponentArguments(plan)),
+        methodUnderTest(plan),
+        callDeclaration(plan),
         reads(plan),
-        JavaText.call(4, "", "simulationControl.prepare", settings(plan)),
+        JavaText.call("", "simulationControl.prepare", settings(plan)),
         JavaText.call(
-            4, "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
+            "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
         watches(plan),
         call(plan),
         SimulationControlView.runsOn(plan),
         plan.period() != null,
         plan.nonblocking(),
-        begin(plan),
+        pendingType(plan),
+        plan.returns() != null,
+        expression(plan),
         outcome(plan),
         plan.outputs().stream().map(TestDriverView::output).toList());
   }
@@ -68,17 +76,16 @@ record TestDriverView(
    * The declaration of the method that makes the call; declared by the driver and implemented by
    * the concrete driver.
    */
-  static String callDeclaration(JavaPlan plan, String modifiers, String end) {
+  static String callDeclaration(JavaPlan plan) {
     List<String> parameters = new ArrayList<>();
     parameters.add(plan.component() + " component");
     plan.arguments().forEach(a -> parameters.add(a.parameter()));
     return JavaText.declaration(
-        2, modifiers + plan.returnName() + " " + plan.callName(), parameters, true, end);
+        plan.returnName() + " " + plan.callName(), parameters, " throws Exception");
   }
 
   static String call(JavaPlan plan) {
     return JavaText.call(
-        4,
         plan.returns() == null ? "" : plan.returnName() + " returned =",
         plan.callName(),
         callArguments(plan));
@@ -86,23 +93,23 @@ record TestDriverView(
 
   static String outcome(JavaPlan plan) {
     return plan.returns() == null
-        ? "    pending.outcome();"
-        : "    " + plan.returnName() + " returned = pending.outcome();";
+        ? "pending.outcome();"
+        : plan.returnName() + " returned = pending.outcome();";
   }
 
-  static String callDocumentation(JavaPlan plan) {
-    return JavaText.javadoc(
-        2,
-        List.of(
-            "Calls the method under test, "
-                + JavaText.comment(plan.interfaceName() + "." + plan.method())
-                + ". Only this call is timed."),
-        List.of());
+  static String methodUnderTest(JavaPlan plan) {
+    return JavaText.comment(plan.interfaceName() + "." + plan.method());
+  }
+
+  /** What the driver tests: a method, or sequences of an interface. */
+  static String subject(JavaPlan plan) {
+    return plan.isSequence()
+        ? "sequences of " + plan.interfaceName()
+        : plan.interfaceName() + "." + plan.method();
   }
 
   static String superCall(JavaPlan plan) {
     return JavaText.call(
-        4,
         "",
         "super",
         Stream.concat(
@@ -116,21 +123,15 @@ record TestDriverView(
         .toList();
   }
 
-  /** A non-blocking call: started here; its result is collected after time has passed. */
-  static String begin(JavaPlan plan) {
-    String call = plan.callName() + "(" + String.join(", ", callArguments(plan)) + ")";
+  /** The type of the result of a non-blocking call, which is collected after time has passed. */
+  static String pendingType(JavaPlan plan) {
     JavaType returns = plan.returns();
-    return returns == null
-        ? JavaText.call(
-            4,
-            "NonblockingCall<Void> pending =",
-            "callNonblocking",
-            List.of("() -> {\n          " + call + ";\n          return null;\n        }"))
-        : JavaText.call(
-            4,
-            "NonblockingCall<" + returns.boxed() + "> pending =",
-            "callNonblocking",
-            List.of("() -> " + call));
+    return returns == null ? "Void" : returns.boxed();
+  }
+
+  /** The call as an expression. */
+  static String expression(JavaPlan plan) {
+    return plan.callName() + "(" + String.join(", ", callArguments(plan)) + ")";
   }
 
   private static SortedSet<String> imports(JavaPlan plan) {
@@ -180,23 +181,6 @@ record TestDriverView(
     plan.arguments().forEach(a -> imports.addAll(a.type().imports()));
   }
 
-  static String documentation(JavaPlan plan) {
-    List<String> paragraphs = new ArrayList<>();
-    paragraphs.add(
-        "Test driver (TD) of "
-            + JavaText.comment(
-                plan.isSequence()
-                    ? "sequences of " + plan.interfaceName()
-                    : plan.interfaceName() + "." + plan.method())
-            + ": runs the cases of the test model "
-            + JavaText.comment(plan.modelName())
-            + ".");
-    if (!plan.description().isBlank()) {
-      paragraphs.add(JavaText.comment(plan.description()));
-    }
-    return JavaText.javadoc(0, paragraphs, List.of());
-  }
-
   static List<String> newComponentArguments(JavaPlan plan) {
     List<String> arguments = new ArrayList<>();
     arguments.add(plan.component() + ".class");
@@ -217,7 +201,6 @@ record TestDriverView(
       if (argument.direction() != Direction.IN) {
         reads.add(
             JavaText.call(
-                4,
                 argument.parameter() + " =",
                 "new Out<>",
                 value == null ? List.of() : List.of(value)));
@@ -225,7 +208,7 @@ record TestDriverView(
         reads.add(
             value.startsWith("testCase.")
                 ? read(argument.type(), argument.local(), argument.name())
-                : assigned(argument.parameter(), value));
+                : argument.parameter() + " = " + value + ";");
       }
     }
     if (plan.world() != null) {
@@ -235,7 +218,6 @@ record TestDriverView(
               s ->
                   reads.add(
                       JavaText.call(
-                          4,
                           "double " + s.local() + " =",
                           "testCase.doubleValue",
                           List.of(JavaText.string(s.name())))));
@@ -243,7 +225,6 @@ record TestDriverView(
     for (Answered answer : plan.answers()) {
       reads.add(
           JavaText.call(
-              4,
               "Answers<" + answer.boxed() + "> " + answer.local() + " =",
               "testCase.answers",
               List.of(JavaText.string(answer.column()), answer.boxed() + ".class", answer.zero())));
@@ -251,21 +232,9 @@ record TestDriverView(
     return reads;
   }
 
-  private static String assigned(String declaration, String value) {
-    int open = value.indexOf('(');
-    boolean call = open > 0 && value.endsWith(")") && !value.substring(0, open).contains("[");
-    return call
-        ? JavaText.call(
-            4,
-            declaration + " =",
-            value.substring(0, open),
-            List.of(value.substring(open + 1, value.length() - 1)))
-        : "    " + declaration + " = " + value + ";";
-  }
-
   private static String read(JavaType type, String local, String column) {
     return JavaText.call(
-        4, type.name() + " " + local + " =", "testCase." + type.accessor(), type.reading(column));
+        type.name() + " " + local + " =", "testCase." + type.accessor(), type.reading(column));
   }
 
   /** Records the output data ports that trajectory conditions use. */
@@ -274,7 +243,6 @@ record TestDriverView(
         .map(
             port ->
                 JavaText.call(
-                    4,
                     "",
                     "watch",
                     List.of(JavaText.string(port.name()), "() -> " + port.expression())))
@@ -284,10 +252,9 @@ record TestDriverView(
   static String output(Output output) {
     String name = JavaText.string(output.name());
     if (output.expression() == null) {
-      return JavaText.call(4, "", "result.recordReturn", List.of(name));
+      return JavaText.call("", "result.recordReturn", List.of(name));
     }
     return JavaText.call(
-        4,
         "",
         output.part() ? "result.recordPart" : "result.record",
         List.of(name, output.expression()));

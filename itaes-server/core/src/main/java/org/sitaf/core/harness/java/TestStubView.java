@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.harness.java.plan.JavaPlan;
@@ -22,7 +23,7 @@ record TestStubView(
     List<String> fields,
     List<String> initialisations,
     List<Interface> interfaces,
-    String prepareDeclaration,
+    String answers,
     boolean hasSettings,
     List<String> settings) {
 
@@ -44,16 +45,15 @@ record TestStubView(
     List<String> initialisations = new ArrayList<>();
     methods.forEach(
         m -> {
-          fields.add("  private final StubbedMethod<" + m.boxed() + "> " + m.field() + ";");
+          fields.add("private final StubbedMethod<" + m.boxed() + "> " + m.field() + ";");
           initialisations.add(initialisation(m));
         });
     outs.forEach(
         o -> {
           JavaType type = o.parameter().type();
-          fields.add("  private final StubbedOut<" + type.boxed() + "> " + o.field() + ";");
+          fields.add("private final StubbedOut<" + type.boxed() + "> " + o.field() + ";");
           initialisations.add(
-              JavaText.call(
-                  4, "this." + o.field() + " =", "new StubbedOut<>", List.of(type.zero())));
+              JavaText.call("this." + o.field() + " =", "new StubbedOut<>", List.of(type.zero())));
         });
     var answers = plan.answers();
     return new TestStubView(
@@ -63,15 +63,12 @@ record TestStubView(
         fields,
         initialisations,
         plan.stubs().stream().map(TestStubView::answering).toList(),
-        JavaText.declaration(
-            2,
-            "void prepare",
-            answers.stream().map(a -> "Answers<" + a.boxed() + "> " + a.local()).toList(),
-            false,
-            answers.isEmpty() ? " {}" : " {"),
+        answers.stream()
+            .map(a -> "Answers<" + a.boxed() + "> " + a.local())
+            .collect(Collectors.joining(", ")),
         !answers.isEmpty(),
         answers.stream()
-            .map(a -> JavaText.call(4, "", "this." + a.local() + ".answerWith", List.of(a.local())))
+            .map(a -> JavaText.call("", "this." + a.local() + ".answerWith", List.of(a.local())))
             .toList());
   }
 
@@ -82,7 +79,7 @@ record TestStubView(
     JavaType returns = method.signature().returns();
     arguments.add(returns == null ? "null" : returns.zero());
     ingoing(method).forEach(p -> arguments.add(JavaText.string(p.name())));
-    return JavaText.call(4, "this." + method.field() + " =", "new StubbedMethod<>", arguments);
+    return JavaText.call("this." + method.field() + " =", "new StubbedMethod<>", arguments);
   }
 
   private static List<JavaParameter> ingoing(StubMethod method) {
@@ -128,29 +125,24 @@ record TestStubView(
     List<String> body = new ArrayList<>();
     boolean returns = method.signature().returns() != null;
     if (method.outs().isEmpty()) {
-      body.add(JavaText.call(10, returns ? "return" : "", call, arguments));
+      body.add(JavaText.call(returns ? "return" : "", call, arguments));
     } else {
       // The value of an inout-parameter is recorded before the answer replaces it.
       String held = returns ? method.signature().returnName() + " answer =" : "";
-      body.add(JavaText.call(10, held, call, arguments));
+      body.add(JavaText.call(held, call, arguments));
       for (StubOut out : method.outs()) {
         body.add(
             JavaText.call(
-                10,
-                "",
-                "TestStub.this." + out.field() + ".fill",
-                List.of(out.parameter().local())));
+                "", "TestStub.this." + out.field() + ".fill", List.of(out.parameter().local())));
       }
       if (returns) {
-        body.add("          return answer;");
+        body.add("return answer;");
       }
     }
     return new Answer(
         JavaText.declaration(
-            8,
             "public " + method.signature().returnName() + " " + method.signature().name(),
             method.signature().parameters().stream().map(JavaParameter::declaration).toList(),
-            false,
             " {"),
         body,
         last);

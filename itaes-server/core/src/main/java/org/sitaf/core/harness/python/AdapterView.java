@@ -81,7 +81,7 @@ record AdapterView(
     if (body.stream().allMatch(line -> line.startsWith("#"))) {
       body.add("pass");
     }
-    String head = new PythonText.Group("def __init__(", parameters, ") -> None:").at(4);
+    String head = PythonText.list("    def __init__(", parameters, ") -> None:");
     return head + "\n        " + String.join("\n        ", body);
   }
 
@@ -105,22 +105,23 @@ record AdapterView(
                 + String.join(", ", method.raises())
                 + ".";
     if (zeros) {
-      return TestStubView.declaration(planned)
+      return "    "
+          + TestStubView.declaration(planned)
           + "\n        # Write the method here."
           + errors
           + "\n        "
           + zeros(method);
     }
-    return TestStubView.declaration(planned)
+    return "    "
+        + TestStubView.declaration(planned)
         + "\n        # Delegate the call to the component"
         + (answers ? " and return its result." : ".")
         + errors
-        + "\n"
-        + new PythonText.Group(
-                "raise NotImplementedError(",
-                ")",
-                PythonText.string(method.name() + " is not implemented yet"))
-            .at(8);
+        + "\n        "
+        + PythonText.list(
+            "raise NotImplementedError(",
+            List.of(PythonText.string(method.name() + " is not implemented yet")),
+            ")");
   }
 
   private static String zeros(Method method) {

@@ -7,49 +7,34 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.python.PythonPlan.Argument;
-import org.sitaf.core.harness.python.PythonText.Group;
 
 /** The view of the concrete test driver. */
 record ConcreteTestDriverView(
-    String documentation,
+    String subject,
+    String model,
     String imports,
     String component,
     List<String> setUp,
-    String beforeDeclaration,
-    String afterDeclaration,
+    boolean sequence,
     List<Call> calls) {
   /** A method that makes a call. */
-  record Call(String declaration, String documentation, String statement) {}
+  record Call(String declaration, String method, String statement) {}
 
   static ConcreteTestDriverView of(PythonPlan plan) {
     HarnessPlan neutral = plan.neutral();
     return new ConcreteTestDriverView(
-        PythonText.docstring(
-            0,
-            List.of(
-                "Concrete test driver of "
-                    + PythonText.plain(
-                        plan.isSequence()
-                            ? "sequences of " + neutral.interfaceName()
-                            : neutral.methodName())
-                    + ".",
-                "You may edit this class. To keep your changes, save this file in the activity as"
-                    + " harness/"
-                    + PythonText.plain(neutral.modelName())
-                    + "/concrete_test_driver.py. It then replaces the generated file.")),
+        TestDriverView.subject(neutral),
+        PythonText.plain(neutral.modelName()),
         imports(plan),
         plan.component(),
         setUp(neutral),
-        hook(plan, "before_case"),
-        hook(plan, "after_case"),
+        plan.isSequence(),
         plan.calls().stream()
             .map(
                 c ->
                     new Call(
                         TestDriverView.callDeclaration(c),
-                        plan.isSequence()
-                            ? TestDriverView.callDocumentation(c)
-                            : "        \"\"\"Call the method under test. Only this call is timed.\"\"\"",
+                        PythonText.plain(c.neutral().methodName()),
                         call(c)))
             .toList());
   }
@@ -65,18 +50,17 @@ record ConcreteTestDriverView(
     String open = returns ? "return " : "";
     Stream<String> arguments = plan.arguments().stream().map(Argument::local);
     if (hasOuts(plan)) {
-      return new Group(
-              open + "call_with_outs(",
-              Stream.of(
-                      Stream.of(method),
-                      arguments,
-                      Stream.of("returns=" + (returns ? "True" : "False")))
-                  .flatMap(s -> s)
-                  .toList(),
-              ")")
-          .at(8);
+      return PythonText.list(
+          open + "call_with_outs(",
+          Stream.of(
+                  Stream.of(method),
+                  arguments,
+                  Stream.of("returns=" + (returns ? "True" : "False")))
+              .flatMap(s -> s)
+              .toList(),
+          ")");
     }
-    return new Group(open + method + "(", arguments.toList(), ")").at(8);
+    return PythonText.list(open + method + "(", arguments.toList(), ")");
   }
 
   private static List<String> setUp(HarnessPlan plan) {
@@ -86,14 +70,11 @@ record ConcreteTestDriverView(
         .forEach(
             (name, value) ->
                 statements.add(
-                    new Group(
-                            "set_property(",
-                            ")",
-                            "component",
-                            PythonText.string(name),
-                            PythonText.string(value))
-                        .at(8)));
-    statements.add("        self.begin(component)");
+                    PythonText.list(
+                        "set_property(",
+                        List.of("component", PythonText.string(name), PythonText.string(value)),
+                        ")")));
+    statements.add("self.begin(component)");
     for (HarnessPlan.Call call : plan.before()) {
       List<String> arguments = new ArrayList<>();
       for (int i = 0; i < call.arguments().size(); i++) {
@@ -102,23 +83,12 @@ record ConcreteTestDriverView(
                 call.arguments().get(i), call.method().parameters().get(i).type()));
       }
       statements.add(
-          new Group(
-                  "method_of(component, " + PythonText.string(call.method().name()) + ")(",
-                  arguments,
-                  ")")
-              .at(8));
+          PythonText.list(
+              "method_of(component, " + PythonText.string(call.method().name()) + ")(",
+              arguments,
+              ")"));
     }
     return statements;
-  }
-
-  private static String hook(PythonPlan plan, String name) {
-    return new Group(
-            "def " + name + "(",
-            ") -> None:",
-            "self",
-            "component: " + plan.component(),
-            "test_case: TestCase")
-        .at(4);
   }
 
   private static String imports(PythonPlan plan) {

@@ -55,15 +55,10 @@ final class Imports {
   String all() {
     TreeSet<String> names = new TreeSet<>();
     others.values().forEach(names::addAll);
-    return new PythonText.Group("__all__ = [", names.stream().map(PythonText::string).toList(), "]")
-        .at(0);
+    return PythonText.list("__all__ = [", names.stream().map(PythonText::string).toList(), "]");
   }
 
   private static String line(String module, TreeSet<String> names) {
-    String together = "from " + module + " import " + String.join(", ", names);
-    if (together.length() <= 88) {
-      return together;
-    }
-    return "from " + module + " import (\n    " + String.join(",\n    ", names) + ",\n)";
+    return "from " + module + " import " + String.join(", ", names);
   }
 }

@@ -13,11 +13,7 @@ final class InterfacesView {
 
   /** A required interface. */
   record Interface(
-      String documentation,
-      String imports,
-      String name,
-      String classDocumentation,
-      List<String> methods) {
+      String imports, String name, String described, String source, List<String> methods) {
     static Interface of(Stub stub) {
       Imports imports = new Imports().add("typing", "Protocol");
       List<String> methods = new ArrayList<>();
@@ -28,17 +24,11 @@ final class InterfacesView {
         types.forEach(t -> importDeclared(t, imports));
         methods.add(TestStubView.declaration(method) + " ...");
       }
-      String about =
-          "The required interface "
-              + PythonText.plain(stub.name())
-              + ", described in "
-              + PythonText.plain(stub.neutral().source())
-              + ".";
       return new Interface(
-          PythonText.docstring(0, List.of("A required interface of the component.")),
           imports.text(),
           stub.name(),
-          PythonText.docstring(4, List.of(about)),
+          PythonText.plain(stub.name()),
+          PythonText.plain(stub.neutral().source()),
           methods);
     }
   }
@@ -55,7 +45,7 @@ final class InterfacesView {
   /** The structs and enumerations. */
   record DataTypes(String imports, List<Declared> types) {
     /** A struct or an enumeration. */
-    record Declared(String head, String documentation, List<String> lines) {}
+    record Declared(boolean struct, String name, String typeName, List<String> lines) {}
 
     static DataTypes of(HarnessPlan plan) {
       Imports imports = new Imports();
@@ -86,25 +76,18 @@ final class InterfacesView {
       if (type instanceof DataType.Struct struct) {
         for (DataType.Member member : struct.members()) {
           lines.add(
-              new PythonText.Group(
-                      member.name() + ": " + PythonType.hint(member.type()) + " = member(",
-                      ")",
-                      PythonType.kind(member.type()))
-                  .at(4));
+              PythonText.list(
+                  member.name() + ": " + PythonType.hint(member.type()) + " = member(",
+                  List.of(PythonType.kind(member.type())),
+                  ")"));
         }
-        return new Declared(
-            "@dataclass\nclass " + name + ":", documentation("The struct ", type), lines);
+        return new Declared(true, name, PythonText.plain(type.typeName()), lines);
       }
       List<String> literals = ((DataType.Enumeration) type).literals();
       for (int i = 0; i < literals.size(); i++) {
-        lines.add("    " + literals.get(i) + " = " + i);
+        lines.add(literals.get(i) + " = " + i);
       }
-      return new Declared(
-          "class " + name + "(Enum):", documentation("The enumeration ", type), lines);
-    }
-
-    private static String documentation(String what, DataType type) {
-      return PythonText.docstring(4, List.of(what + PythonText.plain(type.typeName()) + "."));
+      return new Declared(false, name, PythonText.plain(type.typeName()), lines);
     }
   }
 }

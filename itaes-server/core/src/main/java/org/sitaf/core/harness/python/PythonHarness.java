@@ -1,18 +1,12 @@
 package org.sitaf.core.harness.python;
 
-import com.samskivert.mustache.Mustache;
-import com.samskivert.mustache.Template;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Objects;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.layout.SourcePrinter;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
@@ -25,7 +19,8 @@ public final class PythonHarness implements HarnessWriter {
   private static final String CONCRETE = "concrete_test_driver";
   private static final String INTERFACES = "sitaf_interfaces/";
 
-  private static final Mustache.Compiler TEMPLATES = Mustache.compiler().escapeHTML(false);
+  private static final SourcePrinter PRINTER =
+      new SourcePrinter(PythonHarness.class, PythonLayout::format);
 
   @Override
   public FileTree write(HarnessPlan neutral, Diagnostics diagnostics) {
@@ -83,7 +78,7 @@ public final class PythonHarness implements HarnessWriter {
           .append("\n\n")
           .append(imports.all())
           .append('\n');
-      files.put(INTERFACES + "__init__.py", bytes(exported.toString()));
+      files.put(INTERFACES + "__init__.py", bytes(PythonLayout.format(exported.toString())));
     }
   }
 
@@ -114,15 +109,6 @@ public final class PythonHarness implements HarnessWriter {
   }
 
   private static byte[] print(String template, Object view) {
-    return bytes(load(template).execute(view));
-  }
-
-  private static Template load(String name) {
-    try (InputStream stream = PythonHarness.class.getResourceAsStream(name + ".mustache")) {
-      return TEMPLATES.compile(
-          new InputStreamReader(Objects.requireNonNull(stream, name), StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return PRINTER.print(template, view);
   }
 }

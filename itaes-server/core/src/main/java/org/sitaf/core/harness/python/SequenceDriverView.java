@@ -10,11 +10,12 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.World;
 import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.harness.python.PythonPlan.Answer;
-import org.sitaf.core.harness.python.PythonText.Group;
 
 /** The view of the test driver of sequences: each step has the five parts of Fig. 10. */
 record SequenceDriverView(
-    String documentation,
+    String subject,
+    String model,
+    String description,
     String imports,
     String component,
     String suiteLife,
@@ -43,8 +44,8 @@ record SequenceDriverView(
   /** The method of a call. */
   record Call(
       String callDeclaration,
-      String callDocumentation,
-      String stepDocumentation,
+      String methodUnderTest,
+      String step,
       String method,
       List<String> reads,
       @Nullable String settle,
@@ -55,7 +56,7 @@ record SequenceDriverView(
       List<String> outputs) {}
 
   /** The method of an event. */
-  record Event(String stepDocumentation, String method, String statement) {}
+  record Event(String step, String parameter, String method, String statement) {}
 
   static SequenceDriverView of(PythonPlan plan) {
     HarnessPlan neutral = plan.neutral();
@@ -77,54 +78,50 @@ record SequenceDriverView(
       }
     }
     return new SequenceDriverView(
-        PythonText.docstring(0, TestDriverView.documentation(neutral)),
+        TestDriverView.subject(neutral),
+        PythonText.plain(neutral.modelName()),
+        PythonText.plain(neutral.description()),
         imports(plan),
         plan.component(),
         neutral.component().lifeCycle() == LifeCycle.SUITE ? "True" : "False",
         !notHooks.isEmpty(),
-        new Group(
-                "NOT_HOOKS = (",
-                notHooks.stream().map(PythonText::string).toList(),
-                notHooks.size() == 1 ? ",)" : ")")
-            .at(4),
+        PythonText.list(
+            "NOT_HOOKS = (",
+            notHooks.stream().map(PythonText::string).toList(),
+            notHooks.size() == 1 ? ",)" : ")"),
         sequence.overlapping().isEmpty()
             ? null
-            : new Group(
-                    "OVERLAPPING = frozenset({",
-                    sequence.overlapping().stream().map(PythonText::string).toList(),
-                    "})")
-                .at(4),
+            : PythonText.list(
+                "OVERLAPPING = frozenset({",
+                sequence.overlapping().stream().map(PythonText::string).toList(),
+                "})"),
         sequence.threads() > 1 ? Integer.valueOf(sequence.threads()) : null,
-        new Group(
-                "self.simulation_control = SimulationControl(",
-                neutral.world() == null ? List.of() : List.of("run.simulation"),
-                ")")
-            .at(8),
+        PythonText.list(
+            "self.simulation_control = SimulationControl(",
+            neutral.world() == null ? List.of() : List.of("run.simulation"),
+            ")"),
         TestDriverView.make(plan),
         !plan.properties().isEmpty(),
-        new Group(
-                "return {",
-                plan.properties().stream()
-                    .map(
-                        p ->
-                            PythonText.string(p.column())
-                                + ": self.current_case.read("
-                                + PythonText.string(p.column())
-                                + ", "
-                                + PythonType.kind(p.type())
-                                + ")")
-                    .toList(),
-                "}")
-            .at(8),
+        PythonText.list(
+            "return {",
+            plan.properties().stream()
+                .map(
+                    p ->
+                        PythonText.string(p.column())
+                            + ": self.current_case.read("
+                            + PythonText.string(p.column())
+                            + ", "
+                            + PythonType.kind(p.type())
+                            + ")")
+                .toList(),
+            "}"),
         TestDriverView.reads(plan),
-        new Group(
-                "self.simulation_control.prepare(",
-                plan.settings().stream().map(PythonPlan.Setting::local).toList(),
-                ")")
-            .at(8),
-        new Group(
-                "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")")
-            .at(8),
+        PythonText.list(
+            "self.simulation_control.prepare(",
+            plan.settings().stream().map(PythonPlan.Setting::local).toList(),
+            ")"),
+        PythonText.list(
+            "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")"),
         TestDriverView.watches(plan),
         plan.isPeriodic(),
         plan.isPeriodic()
@@ -140,9 +137,8 @@ record SequenceDriverView(
     World world = plan.neutral().world();
     return new Call(
         TestDriverView.callDeclaration(plan),
-        TestDriverView.callDocumentation(plan),
-        PythonText.docstring(
-            8, List.of("Execute the step " + PythonText.plain(step.name()) + ", a call.")),
+        PythonText.plain(plan.neutral().methodName()),
+        PythonText.plain(step.name()),
         step.method(),
         TestDriverView.reads(plan),
         world == null || world.settle().isZero()
@@ -159,20 +155,13 @@ record SequenceDriverView(
 
   private static Event event(PythonPlan.Step step, HarnessPlan.EventStep event) {
     return new Event(
-        PythonText.docstring(
-            8,
-            List.of(
-                "Execute the step "
-                    + PythonText.plain(step.name())
-                    + ", an event that sets "
-                    + PythonText.plain(event.parameter())
-                    + ".")),
+        PythonText.plain(step.name()),
+        PythonText.plain(event.parameter()),
         step.method(),
-        new Group(
-                "self.simulation_control.set(",
-                List.of(PythonText.string(event.parameter()), PythonText.real(event.value())),
-                ")")
-            .at(8));
+        PythonText.list(
+            "self.simulation_control.set(",
+            List.of(PythonText.string(event.parameter()), PythonText.real(event.value())),
+            ")"));
   }
 
   private static String imports(PythonPlan plan) {

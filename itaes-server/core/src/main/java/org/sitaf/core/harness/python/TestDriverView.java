@@ -14,11 +14,12 @@ import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.harness.python.PythonPlan.Answer;
 import org.sitaf.core.harness.python.PythonPlan.Argument;
-import org.sitaf.core.harness.python.PythonText.Group;
 
 /** The view of the test driver: the five steps of Fig. 10. */
 record TestDriverView(
-    String documentation,
+    String subject,
+    String model,
+    String description,
     String imports,
     String component,
     String suiteLife,
@@ -26,7 +27,7 @@ record TestDriverView(
     String notHooks,
     String newSimulationControl,
     String callDeclaration,
-    String callDocumentation,
+    String methodUnderTest,
     String make,
     List<String> reads,
     String prepareWorld,
@@ -47,33 +48,31 @@ record TestDriverView(
     boolean nonblocking = neutral.method().callType() == CallType.NONBLOCKING;
     List<String> notHooks = Hooks.among(neutral.provided(), PythonNames::snakeCase);
     return new TestDriverView(
-        PythonText.docstring(0, documentation(neutral)),
+        subject(neutral),
+        PythonText.plain(neutral.modelName()),
+        PythonText.plain(neutral.description()),
         imports(plan),
         plan.component(),
         neutral.component().lifeCycle() == LifeCycle.SUITE ? "True" : "False",
         !notHooks.isEmpty(),
-        new Group(
-                "NOT_HOOKS = (",
-                notHooks.stream().map(PythonText::string).toList(),
-                notHooks.size() == 1 ? ",)" : ")")
-            .at(4),
-        new Group(
-                "self.simulation_control = SimulationControl(",
-                neutral.world() == null ? List.of() : List.of("run.simulation"),
-                ")")
-            .at(8),
+        PythonText.list(
+            "NOT_HOOKS = (",
+            notHooks.stream().map(PythonText::string).toList(),
+            notHooks.size() == 1 ? ",)" : ")"),
+        PythonText.list(
+            "self.simulation_control = SimulationControl(",
+            neutral.world() == null ? List.of() : List.of("run.simulation"),
+            ")"),
         callDeclaration(plan),
-        callDocumentation(plan),
+        PythonText.plain(neutral.methodName()),
         make(plan),
         reads(plan),
-        new Group(
-                "self.simulation_control.prepare(",
-                plan.settings().stream().map(PythonPlan.Setting::local).toList(),
-                ")")
-            .at(8),
-        new Group(
-                "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")")
-            .at(8),
+        PythonText.list(
+            "self.simulation_control.prepare(",
+            plan.settings().stream().map(PythonPlan.Setting::local).toList(),
+            ")"),
+        PythonText.list(
+            "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")"),
         watches(plan),
         plan.isPeriodic(),
         plan.isPeriodic() ? PythonText.real(neutral.component().period().toNanos() / 1e9) : "",
@@ -84,14 +83,6 @@ record TestDriverView(
         neutral.outputs().stream().map(o -> output(plan, o)).toList());
   }
 
-  static String callDocumentation(PythonPlan plan) {
-    return PythonText.docstring(
-        8,
-        List.of(
-            "Call the method under test, " + PythonText.plain(plan.neutral().methodName()) + ".",
-            "Only this call is timed."));
-  }
-
   static String make(PythonPlan plan) {
     List<String> arguments = new ArrayList<>();
     arguments.add(plan.component());
@@ -99,7 +90,7 @@ record TestDriverView(
     if (!plan.properties().isEmpty()) {
       arguments.add("inputs=self.inputs()");
     }
-    return new Group("return self.make(", arguments, ")").at(8);
+    return PythonText.list("return self.make(", arguments, ")");
   }
 
   private static String returned(PythonPlan plan) {
@@ -108,18 +99,17 @@ record TestDriverView(
 
   static String call(PythonPlan plan) {
     return plan.neutral().method().callType() == CallType.NONBLOCKING
-        ? new Group(
-                "pending = self.call_nonblocking(",
-                Stream.concat(Stream.of("self." + plan.callName()), callArguments(plan).stream())
-                    .toList(),
-                ")")
-            .at(8)
-        : new Group(returned(plan) + "self." + plan.callName() + "(", callArguments(plan), ")")
-            .at(8);
+        ? PythonText.list(
+            "pending = self.call_nonblocking(",
+            Stream.concat(Stream.of("self." + plan.callName()), callArguments(plan).stream())
+                .toList(),
+            ")")
+        : PythonText.list(
+            returned(plan) + "self." + plan.callName() + "(", callArguments(plan), ")");
   }
 
   static String outcome(PythonPlan plan) {
-    return indented(returned(plan) + "pending.outcome()");
+    return returned(plan) + "pending.outcome()";
   }
 
   private static List<String> callArguments(PythonPlan plan) {
@@ -129,30 +119,19 @@ record TestDriverView(
 
   /** The declaration of the method that makes the call. */
   static String callDeclaration(PythonPlan plan) {
-    return new Group(
-            "def " + plan.callName() + "(",
-            Stream.concat(
-                    Stream.of("self", "component: " + plan.component()),
-                    plan.arguments().stream().map(a -> a.local() + ": " + a.hint()))
-                .toList(),
-            ") -> " + PythonType.hint(plan.neutral().method().returnType()) + ":")
-        .at(4);
+    return PythonText.list(
+        "def " + plan.callName() + "(",
+        Stream.concat(
+                Stream.of("self", "component: " + plan.component()),
+                plan.arguments().stream().map(a -> a.local() + ": " + a.hint()))
+            .toList(),
+        ") -> " + PythonType.hint(plan.neutral().method().returnType()) + ":");
   }
 
-  static List<String> documentation(HarnessPlan plan) {
-    List<String> paragraphs = new ArrayList<>();
-    paragraphs.add(
-        "Test driver (TD) of "
-            + PythonText.plain(
-                plan.sequence() == null
-                    ? plan.methodName()
-                    : "sequences of " + plan.interfaceName())
-            + ".");
-    paragraphs.add("Runs the cases of the test model " + PythonText.plain(plan.modelName()) + ".");
-    if (!plan.description().isBlank()) {
-      paragraphs.add(PythonText.plain(plan.description()));
-    }
-    return paragraphs;
+  /** What the driver tests, escaped for a docstring. */
+  static String subject(HarnessPlan plan) {
+    return PythonText.plain(
+        plan.sequence() == null ? plan.methodName() : "sequences of " + plan.interfaceName());
   }
 
   /** Adds the imports of the call's declaration. */
@@ -226,8 +205,8 @@ record TestDriverView(
       String value = value(argument);
       switch (argument.direction()) {
         case IN -> reads.add(read(argument.local(), argument));
-        case OUT -> reads.add(indented(argument.local() + ": " + argument.hint() + " = Out()"));
-        case INOUT -> reads.add(indented(argument.local() + " = InOut(" + value + ")"));
+        case OUT -> reads.add(argument.local() + ": " + argument.hint() + " = Out()");
+        case INOUT -> reads.add(argument.local() + " = InOut(" + value + ")");
       }
     }
     plan.settings().forEach(s -> reads.add(read(s.local(), s.neutral().name(), "FLOAT64")));
@@ -243,8 +222,8 @@ record TestDriverView(
   }
 
   private static String read(String local, String column, String kind) {
-    return new Group(local + " = test_case.read(", List.of(PythonText.string(column), kind), ")")
-        .at(8);
+    return PythonText.list(
+        local + " = test_case.read(", List.of(PythonText.string(column), kind), ")");
   }
 
   private static String read(String local, Argument argument) {
@@ -252,11 +231,10 @@ record TestDriverView(
     if (given.size() == 1 && given.get(0).path().isEmpty()) {
       return read(local, given.get(0).column(), PythonType.kind(argument.type()));
     }
-    return new Group(
-            local + " = test_case.assemble(",
-            List.of(PythonType.kind(argument.type()), parts(given)),
-            ")")
-        .at(8);
+    return PythonText.list(
+        local + " = test_case.assemble(",
+        List.of(PythonType.kind(argument.type()), parts(given)),
+        ")");
   }
 
   private static String value(Argument argument) {
@@ -292,14 +270,13 @@ record TestDriverView(
     return plan.neutral().watched().stream()
         .map(
             port ->
-                new Group(
-                        "self.watch(",
-                        List.of(
-                            PythonText.string(port.name()),
-                            "lambda: " + expression(plan, port.source()),
-                            PythonType.kind(port.type())),
-                        ")")
-                    .at(8))
+                PythonText.list(
+                    "self.watch(",
+                    List.of(
+                        PythonText.string(port.name()),
+                        "lambda: " + expression(plan, port.source()),
+                        PythonType.kind(port.type())),
+                    ")"))
         .toList();
   }
 
@@ -307,11 +284,11 @@ record TestDriverView(
     List<String> arguments = new ArrayList<>();
     arguments.add(PythonText.string(output.name()));
     if (output.type().isVoid()) {
-      return new Group("result.record_return(", arguments, ")").at(8);
+      return PythonText.list("result.record_return(", arguments, ")");
     }
     arguments.add(expression(plan, output.source()));
     arguments.add(PythonType.kind(output.type()));
-    return new Group("result.record(", arguments, ")").at(8);
+    return PythonText.list("result.record(", arguments, ")");
   }
 
   private static String expression(PythonPlan plan, Source source) {
@@ -332,9 +309,5 @@ record TestDriverView(
     }
     List<String> steps = source.path().stream().map(TestDriverView::step).toList();
     return steps.isEmpty() ? whole : "part_of(" + whole + ", " + String.join(", ", steps) + ")";
-  }
-
-  private static String indented(String statement) {
-    return " ".repeat(8) + statement;
   }
 }

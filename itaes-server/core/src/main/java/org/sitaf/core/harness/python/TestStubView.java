@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.harness.python.PythonPlan.Answer;
 import org.sitaf.core.harness.python.PythonPlan.Stub;
 import org.sitaf.core.harness.python.PythonPlan.StubMethod;
-import org.sitaf.core.harness.python.PythonText.Group;
 
 /** The view of the test stub. */
 record TestStubView(
@@ -23,13 +23,16 @@ record TestStubView(
 
   /** A stubbed interface. */
   record Interface(
-      String name, String field, String documentation, List<String> fields, List<String> methods) {}
+      String name, String field, String described, List<String> fields, List<Answering> methods) {}
+
+  /** A stubbed method, and its name in the interface if Python needs another one. */
+  record Answering(String declaration, String call, String name, @Nullable String alias) {}
 
   static TestStubView of(PythonPlan plan) {
     List<String> settings = new ArrayList<>();
     for (Stub stub : plan.stubs()) {
       for (StubMethod method : stub.methods()) {
-        settings.add("        self." + stub.field() + "." + method.field() + ".reset()");
+        settings.add("self." + stub.field() + "." + method.field() + ".reset()");
         method.answers().forEach(a -> settings.add(setting(stub, method, a)));
       }
     }
@@ -37,20 +40,17 @@ record TestStubView(
         imports(plan),
         !plan.stubs().isEmpty(),
         hasErrors(plan),
-        new Group(
-                "ERRORS: dict[str, type[Exception]] = {",
-                plan.neutral().errors().stream().map(e -> PythonText.string(e) + ": " + e).toList(),
-                "}")
-            .at(0),
+        PythonText.list(
+            "ERRORS: dict[str, type[Exception]] = {",
+            plan.neutral().errors().stream().map(e -> PythonText.string(e) + ": " + e).toList(),
+            "}"),
         plan.stubs().stream().map(TestStubView::answering).toList(),
-        new Group(
-                "def prepare(",
-                Stream.concat(
-                        Stream.of("self"),
-                        plan.answers().stream().map(a -> a.local() + ": " + hint(a)))
-                    .toList(),
-                ") -> None:")
-            .at(4),
+        PythonText.list(
+            "def prepare(",
+            Stream.concat(
+                    Stream.of("self"), plan.answers().stream().map(a -> a.local() + ": " + hint(a)))
+                .toList(),
+            ") -> None:"),
         settings);
   }
 
@@ -72,15 +72,15 @@ record TestStubView(
     if (answer.neutral().parameter() != null) {
       arguments.add("out=" + PythonText.string(answer.neutral().parameter().name()));
     }
-    return new Group("self." + stub.field() + "." + method.field() + ".answer(", arguments, ")")
-        .at(8);
+    return PythonText.list(
+        "self." + stub.field() + "." + method.field() + ".answer(", arguments, ")");
   }
 
   private static Interface answering(Stub stub) {
     return new Interface(
         stub.name(),
         stub.field(),
-        PythonText.docstring(4, List.of("Stub of " + PythonText.plain(stub.name()) + ".")),
+        PythonText.plain(stub.name()),
         stub.methods().stream().map(m -> field(stub, m)).toList(),
         stub.methods().stream().map(TestStubView::method).toList());
   }
@@ -98,7 +98,7 @@ record TestStubView(
     if (!method.parameters(true).isEmpty()) {
       arguments.add("outs=" + kinds(method.parameters(true)));
     }
-    return new Group("self." + method.field() + " = StubbedMethod(", arguments, ")").at(8);
+    return PythonText.list("self." + method.field() + " = StubbedMethod(", arguments, ")");
   }
 
   private static String kinds(List<Parameter> parameters) {
@@ -107,11 +107,12 @@ record TestStubView(
         .collect(Collectors.joining(", ", "{", "}"));
   }
 
-  private static String method(StubMethod method) {
-    String body = new Group("return self." + method.field() + ".call(", method.inputs(), ")").at(8);
-    String alias =
-        method.alias() == null ? "" : "\n\n    " + method.alias() + " = " + method.name();
-    return declaration(method) + "\n" + body + alias;
+  private static Answering method(StubMethod method) {
+    return new Answering(
+        declaration(method),
+        PythonText.list("self." + method.field() + ".call(", method.inputs(), ")"),
+        method.name(),
+        method.alias());
   }
 
   /** The declaration of a method. Out-parameters are returned. */
@@ -123,8 +124,8 @@ record TestStubView(
             i ->
                 parameters.add(
                     method.inputs().get(i) + ": " + PythonType.hint(inputs.get(i).type())));
-    return new Group("def " + method.name() + "(", parameters, ") -> " + returned(method) + ":")
-        .at(4);
+    return PythonText.list(
+        "def " + method.name() + "(", parameters, ") -> " + returned(method) + ":");
   }
 
   private static String returned(StubMethod method) {

@@ -2,16 +2,11 @@ package org.sitaf.core.harness.cpp.syntax;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/**
- * Escapes values and texts of users in C++ sources, and breaks lines as clang-format in Google
- * style with 100 columns.
- */
+/** Escapes values and texts of users in C++ sources. */
 public final class CppText {
-  private static final int WIDTH = 100;
   private static final int MAX_COMMENT_LENGTH = 600;
 
   private CppText() {}
@@ -94,96 +89,23 @@ public final class CppText {
         .replace("??/", "?? /");
   }
 
-  /** A wrapped documentation comment of escaped paragraphs. */
-  public static String documentation(int indent, List<String> paragraphs) {
-    List<String> lines = new ArrayList<>();
-    String start = " ".repeat(indent) + "///";
-    for (int i = 0; i < paragraphs.size(); i++) {
-      if (i > 0) {
-        lines.add(start);
-      }
-      wrap(lines, start + " ", paragraphs.get(i));
-    }
-    return String.join("\n", lines);
-  }
-
-  private static void wrap(List<String> lines, String start, String text) {
-    StringBuilder line = new StringBuilder(start);
-    boolean empty = true;
-    for (String word : text.split(" ")) {
-      if (!empty && line.length() + 1 + word.length() > WIDTH) {
-        lines.add(line.toString());
-        line = new StringBuilder(start);
-        empty = true;
-      }
-      line.append(empty ? "" : " ").append(word);
-      empty = false;
-    }
-    lines.add(line.toString());
-  }
-
   /**
-   * A call or a declaration with a list in brackets, on as few lines as possible.
+   * A call or a declaration with a list in brackets.
    *
    * @param head text up to and including the opening bracket
    * @param tail text from the closing bracket on
    */
-  public static String list(int indent, String head, List<String> parts, String tail) {
-    String pad = " ".repeat(indent);
-    String whole = pad + head + String.join(", ", parts) + tail;
-    if (whole.length() <= WIDTH || parts.isEmpty()) {
-      return whole;
-    }
-    int column = indent + head.length();
-    int widest = parts.stream().mapToInt(String::length).max().orElse(0);
-    if (column + widest + Math.max(1, tail.length()) <= WIDTH) {
-      return pad + head + packed(column, parts, tail.length()) + tail;
-    }
-    return pad
-        + head
-        + "\n"
-        + " ".repeat(indent + 4)
-        + packed(indent + 4, parts, tail.length())
-        + tail;
-  }
-
-  private static String packed(int column, List<String> parts, int tail) {
-    StringBuilder text = new StringBuilder();
-    int at = column;
-    for (int i = 0; i < parts.size(); i++) {
-      boolean last = i == parts.size() - 1;
-      int needs = parts.get(i).length() + (last ? tail : 1);
-      if (i > 0) {
-        if (at + 1 + needs > WIDTH) {
-          text.append("\n").append(" ".repeat(column));
-          at = column;
-        } else {
-          text.append(' ');
-          at++;
-        }
-      }
-      text.append(parts.get(i)).append(last ? "" : ",");
-      at += parts.get(i).length() + (last ? 0 : 1);
-    }
-    return text.toString();
+  public static String list(String head, List<String> parts, String tail) {
+    return head + String.join(", ", parts) + tail;
   }
 
   /** A constructor that only initializes members. */
   public static String constructor(String head, List<String> initialisers) {
-    String all = String.join(", ", initialisers) + " {}";
-    if ((head + " : " + all).length() <= WIDTH) {
-      return head + " : " + all;
-    }
-    return ("    : " + all).length() <= WIDTH
-        ? head + "\n    : " + all
-        : head + "\n    : " + String.join(",\n      ", initialisers) + " {}";
+    return list(head + " : ", initialisers, " {}");
   }
 
-  /** An assignment or declaration, with a line break after {@code =} if necessary. */
-  public static String assignment(int indent, String left, String right) {
-    String whole = " ".repeat(indent) + left + " = " + right + ";";
-    return whole.length() <= WIDTH
-        ? whole
-        : " ".repeat(indent) + left + " =\n" + " ".repeat(indent + 4) + right + ";";
+  /** An assignment or a declaration with a value. */
+  public static String assignment(String left, String right) {
+    return left + " = " + right + ";";
   }
 }

@@ -1,6 +1,5 @@
 package org.sitaf.core.harness.java.plan;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
@@ -9,7 +8,6 @@ import java.util.Locale;
  * everywhere, even in a comment, so every backslash must be escaped.
  */
 public final class JavaText {
-  private static final int WIDTH = 100;
   private static final int MAX_COMMENT_LENGTH = 600;
 
   private JavaText() {}
@@ -87,93 +85,20 @@ public final class JavaText {
   }
 
   /**
-   * A wrapped documentation comment of escaped texts.
-   *
-   * @param indent indentation in columns
-   * @param tags block tags, such as {@code @param name description}
-   */
-  public static String javadoc(int indent, List<String> paragraphs, List<String> tags) {
-    String pad = " ".repeat(indent);
-    String only = pad + "/** " + paragraphs.get(0) + " */";
-    if (paragraphs.size() == 1 && tags.isEmpty() && only.length() <= WIDTH) {
-      return only;
-    }
-    List<String> lines = new ArrayList<>();
-    lines.add(pad + "/**");
-    for (int i = 0; i < paragraphs.size(); i++) {
-      if (i > 0) {
-        lines.add(pad + " *");
-      }
-      wrap(lines, pad + " * ", (i > 0 ? "<p>" : "") + paragraphs.get(i), "");
-    }
-    for (int i = 0; i < tags.size(); i++) {
-      if (i == 0) {
-        lines.add(pad + " *");
-      }
-      wrap(lines, pad + " * ", tags.get(i), "    ");
-    }
-    lines.add(pad + " */");
-    return String.join("\n", lines);
-  }
-
-  private static void wrap(List<String> lines, String start, String text, String continuation) {
-    StringBuilder line = new StringBuilder(start);
-    boolean empty = true;
-    for (String word : text.split(" ")) {
-      if (!empty && line.length() + 1 + word.length() > WIDTH) {
-        lines.add(line.toString());
-        line = new StringBuilder(start).append(continuation);
-        empty = true;
-      }
-      line.append(empty ? "" : " ").append(word);
-      empty = false;
-    }
-    lines.add(line.toString());
-  }
-
-  /**
-   * A call statement, with line breaks as in google-java-format.
+   * A call as a statement.
    *
    * @param left text before the call: empty, {@code return} or an assignment ending with {@code =}
    */
-  public static String call(int indent, String left, String callee, List<String> arguments) {
-    String pad = " ".repeat(indent);
-    String before = left.isEmpty() ? "" : left + " ";
-    String whole = pad + before + callee + "(" + String.join(", ", arguments) + ");";
-    if (whole.length() <= WIDTH) {
-      return whole;
-    }
-    if (left.endsWith("=")) {
-      return pad + left + "\n" + call(indent + 4, "", callee, arguments);
-    }
-    return pad + before + callee + "(" + broken(indent, arguments) + ");";
+  public static String call(String left, String callee, List<String> arguments) {
+    return (left.isEmpty() ? "" : left + " ") + callee + "(" + String.join(", ", arguments) + ");";
   }
 
   /**
-   * A method declaration, with line breaks as in google-java-format.
+   * A declaration with parameters.
    *
-   * @param end text after the declaration, such as {@code ;}
+   * @param end text after the closing bracket
    */
-  public static String declaration(
-      int indent, String head, List<String> parameters, boolean throwing, String end) {
-    String pad = " ".repeat(indent);
-    String oneLine = pad + head + "(" + String.join(", ", parameters) + ")";
-    String clause = throwing ? " throws Exception" : "";
-    if ((oneLine + clause + end).length() <= WIDTH) {
-      return oneLine + clause + end;
-    }
-    if (throwing && oneLine.length() <= WIDTH) {
-      return oneLine + "\n" + pad + "    throws Exception" + end;
-    }
-    String rest = throwing ? ")\n" + pad + "    throws Exception" + end : ")" + end;
-    return pad + head + "(" + broken(indent, parameters) + rest;
-  }
-
-  private static String broken(int indent, List<String> parts) {
-    String pad = "\n" + " ".repeat(indent + 4);
-    String together = String.join(", ", parts);
-    // Two columns are reserved for the end of the list.
-    return pad
-        + (indent + 4 + together.length() + 2 <= WIDTH ? together : String.join("," + pad, parts));
+  public static String declaration(String head, List<String> parameters, String end) {
+    return head + "(" + String.join(", ", parameters) + ")" + end;
   }
 }

@@ -23,8 +23,8 @@ class RangeFinderStub final : public interfaces::RangeFinder {
   runtime::Answers<double> rangeQuality_;
 };
 
-/// Test stub (TS): implements the interfaces that the component requires. Records all calls as
-/// part of the result.
+/// Test stub (TS): implements the interfaces that the component requires. Records all calls as part
+/// of the result.
 class TestStub {
  public:
   explicit TestStub(runtime::TestRun& run);
