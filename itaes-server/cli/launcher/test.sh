@@ -60,22 +60,22 @@ if newer_than "$state/runtime-python.stamp" "$home/tba-agent/runtime-python" "$h
 fi
 
 # These run while Maven compiles and tests, because many tests wait for other processes.
-beside=("bridge_tests:Simulation bridge: format, lint, types, tests" "runtime_tests:Runtimes of Python and C++ tests: format, lint, types, tests")
+alongside=("bridge_tests:Simulation bridge: format, lint, types, tests" "runtime_tests:Runtimes of Python and C++ tests: format, lint, types, tests")
 mkdir -p "$state/log"
 pids=()
-for entry in "${beside[@]}"; do
+for entry in "${alongside[@]}"; do
   (set -e; "${entry%%:*}") >"$state/log/${entry%%:*}.log" 2>&1 &
   pids+=($!)
 done
 trap 'for pid in "${pids[@]}"; do pkill -P "$pid" || true; done' EXIT
 
-# await_beside: prints the output of these tests when they have ended, and fails if one has failed.
-await_beside() {
+# await_alongside: prints the output of these tests when they have ended, and fails if one has failed.
+await_alongside() {
   local failed=false
   for i in "${!pids[@]}"; do
     wait "${pids[$i]}" || failed=true
-    section "${beside[$i]#*:}"
-    cat "$state/log/${beside[$i]%%:*}.log"
+    section "${alongside[$i]#*:}"
+    cat "$state/log/${alongside[$i]%%:*}.log"
   done
   pids=()
   ! $failed
@@ -85,7 +85,7 @@ section "Java and portal: format, lint, types, tests"
 cd "$home"
 if $fast; then
   mvn -B -ntp -q -T 2 verify "${java_groups[@]}" -Dportal.check=check:changed -Dsitaf.bridge.python="$python"
-  await_beside
+  await_alongside
   exit 0
 fi
 touch "$state/java.begun"
@@ -100,7 +100,7 @@ keep_java
 unlocked
 
 [ ! -d "$compiled" ] || [ -d "$state/cache/cpp/runtime" ] || { mkdir -p "$state/cache/cpp/runtime" && cp -r "$compiled/." "$state/cache/cpp/runtime"; }
-await_beside
+await_alongside
 
 if ! "$python" -c 'import dateutil, playwright, pydantic, schemathesis, urllib3, xdist' 2>/dev/null; then
   # playwright drives Debian's Chromium; schemathesis sends requests generated from the OpenAPI document; xdist runs test
