@@ -214,6 +214,28 @@ test('a distribution may be an element with ranges', () => {
   });
 });
 
+test('comments stay where they are', () => {
+  const xml = COMPLETE.replace('&lt;&quot; &gt;', '&lt;" &gt;')
+    .replace('  <input_spec_list>', '  <!-- what varies -->\n  <input_spec_list>')
+    .replace('      <name>mode</name>', '      <!-- 0: idle -->\n      <name>mode</name>')
+    .replace('  </input_spec_list>', '    <!-- no more inputs -->\n  </input_spec_list>')
+    .replace('</test_model>', '  <!-- the end -->\n</test_model>');
+  expect(writeModel(readModel(xml))).toBe(xml);
+});
+
+test('a comment of a removed element moves to the element around it', () => {
+  const xml = COMPLETE.replace(
+    '      <name>mode</name>',
+    '      <!-- 0: idle -->\n      <name>mode</name>',
+  );
+  const draft = readModel(xml);
+  const written = writeModel({
+    ...draft,
+    inputs: draft.inputs.filter(({ name }) => name !== 'mode'),
+  });
+  expect(written).toContain('    <!-- 0: idle -->\n  </input_spec_list>');
+});
+
 test('the spellings of the paper are read', () => {
   const xml = COMPLETE.replaceAll('_BOUNDARY', '_BOUDARY').replaceAll('TDSD', 'TDS');
   expect(writeModel(readModel(xml))).toBe(COMPLETE);

@@ -223,5 +223,6 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     sequence: '',
     strengths: [],
     others: [],
+    comments: [],
   };
 }

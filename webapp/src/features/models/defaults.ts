@@ -231,6 +231,7 @@ export function draftFor(
     sequence: '',
     strengths: [],
     others: [],
+    comments: [],
   };
 }
 

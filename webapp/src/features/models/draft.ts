@@ -1,3 +1,5 @@
+import type { Comment } from './comments';
+
 /** A test model in the editor. All settings are texts, as in the document. */
 export interface ModelDraft {
   name: string;
@@ -29,6 +31,8 @@ export interface ModelDraft {
   strengths: string[];
   /** Kept cases, as XML; the editor does not show them. */
   others: string[];
+  /** Comments of the document; the editor does not show them. */
+  comments: Comment[];
 }
 
 /** A condition over time; `from` is empty for the call. */

@@ -1,3 +1,4 @@
+import { readComments, withComments } from './comments';
 import type {
   ClassDraft,
   InputDraft,
@@ -68,6 +69,7 @@ export function readModel(xml: string): ModelDraft {
     sequence: sequence ? serialized(sequence) : '',
     strengths: children(root, 'strength').map(serialized),
     others: children(root, 'case_list').map(serialized),
+    comments: readComments(root),
   };
 }
 
@@ -190,7 +192,7 @@ export function writeModel(draft: ModelDraft): string {
     '</test_model>',
     '',
   ];
-  return lines.join('\n');
+  return withComments(lines.join('\n'), draft.comments);
 }
 
 function writeTrajectoryConditions({ trajectoryConditions }: ModelDraft): string[] {
