@@ -3,7 +3,7 @@ import { getRouteApi } from '@tanstack/react-router';
 import { RunCaseAgain } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { CaseLog, useBuild } from '@/features/builds';
-import { CaseReplay, useRecordedCases, type StepMark } from '@/features/replay';
+import { CaseReplay, RelationReplays, useRecordedCases, type StepMark } from '@/features/replay';
 import { CaseFacts, RelationRuns, StepList, useResult, useCase } from '@/features/results';
 import { callTime, SignalPlot, useSignals } from '@/features/signals';
 import { useStateDiagram } from '@/features/states';
@@ -114,6 +114,14 @@ export function ReplayPage() {
         onRequested={({ id }) => {
           void navigate({ to: '/builds/$buildId', params: { buildId: id } });
         }}
+      />
+      <RelationReplays
+        key={`relations ${no}`}
+        buildId={buildId}
+        caseNo={no}
+        relations={(item.data?.relations ?? []).map(({ name, values }) =>
+          values.length > 0 ? name : null,
+        )}
       />
     </Stack>
   );

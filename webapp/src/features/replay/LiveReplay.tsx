@@ -68,7 +68,7 @@ function waiting({ recordedCases }: Build, running: boolean): string {
 }
 
 function Replay({ build, shown, onEnd }: { build: Build; shown: Shown; onEnd: () => void }) {
-  const recording = useRecording(build.id, shown.caseNo, shown.sha256);
+  const recording = useRecording(build.id, shown.caseNo, { sha256: shown.sha256 });
   if (recording.error) {
     return <ProblemAlert title="The recording could not be read" error={recording.error} />;
   }

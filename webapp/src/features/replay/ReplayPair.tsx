@@ -7,10 +7,12 @@ import { frameAt, readingsIn, type Recording } from './recording';
 import { StageView } from './StageView';
 import { usePlayback, type Playback } from './usePlayback';
 
-/** A recorded case of a build. */
+/** A recorded run of a case of a build. */
 interface RecordedCase {
   buildId: string;
   caseNo: number;
+  /** The place of a relation in the model, from 1, for the second run of the case. */
+  relation?: number;
   label: string;
 }
 
@@ -21,10 +23,10 @@ interface ReplayPairProps {
   divergesAt?: ((recording: Recording) => number | undefined) | undefined;
 }
 
-/** The replays of a case in two builds, side by side in step, stopped where they diverge. */
+/** The replays of a case in two builds, or of its two runs for a relation, side by side in step, stopped where they diverge. */
 export function ReplayPair({ base, now, divergesAt }: ReplayPairProps) {
-  const left = useRecording(base.buildId, base.caseNo);
-  const right = useRecording(now.buildId, now.caseNo);
+  const left = useRecording(base.buildId, base.caseNo, base);
+  const right = useRecording(now.buildId, now.caseNo, now);
   const error = left.error ?? right.error;
   if (error) return <ProblemAlert title="The recordings could not be read" error={error} />;
   if (left.isPending || right.isPending) return <Loading what="the recordings" />;
@@ -39,7 +41,7 @@ export function ReplayPair({ base, now, divergesAt }: ReplayPairProps) {
   }
   return (
     <Pair
-      key={`${base.buildId} ${base.caseNo} ${now.buildId} ${now.caseNo}`}
+      key={[base, now].map((of) => `${of.buildId} ${of.caseNo} ${of.relation ?? ''}`).join(' ')}
       base={{ ...base, recording: left.data }}
       now={{ ...now, recording: right.data }}
       divergesAt={divergesAt?.(right.data)}

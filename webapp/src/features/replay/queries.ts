@@ -10,21 +10,40 @@ const RECORDINGS = 'recordings';
 const MAX_LISTED = 500;
 const LIVE_REFRESH_MS = 1_000;
 
+interface RecordingOptions {
+  /** The content that the list of recordings names. */
+  sha256?: string;
+  /** The place of a relation in the model, from 1, for the second run of the case. */
+  relation?: number | undefined;
+}
+
 /** The recording of a case; null if there is none. */
-export function useRecording(buildId: string, caseNo: number, sha256?: string) {
+export function useRecording(
+  buildId: string,
+  caseNo: number,
+  { sha256, relation }: RecordingOptions = {},
+) {
   const api = useApi();
   return useQuery({
-    queryKey: [RECORDINGS, buildId, 'case', caseNo, sha256],
+    queryKey: [RECORDINGS, buildId, 'case', caseNo, relation, sha256],
     queryFn: async ({ signal }) => {
+      const options = { parseAs: 'arrayBuffer', signal } as const;
       try {
-        const glb = await dataOf(
-          api.GET('/api/v1/builds/{id}/recordings/{caseNo}', {
-            params: { path: { id: buildId, caseNo } },
-            parseAs: 'arrayBuffer',
-            signal,
-          }),
+        return readRecording(
+          relation === undefined
+            ? await dataOf(
+                api.GET('/api/v1/builds/{id}/recordings/{caseNo}', {
+                  params: { path: { id: buildId, caseNo } },
+                  ...options,
+                }),
+              )
+            : await dataOf(
+                api.GET('/api/v1/builds/{id}/recordings/{caseNo}/relations/{relation}', {
+                  params: { path: { id: buildId, caseNo, relation } },
+                  ...options,
+                }),
+              ),
         );
-        return readRecording(glb);
       } catch (error) {
         if (error instanceof ApiError && error.status === 404) return null;
         throw error;

@@ -129,6 +129,8 @@ public class StoredFiles {
                 + " WHERE b.sha256 = file_content.sha256)"
                 + " AND NOT EXISTS (SELECT 1 FROM recording r"
                 + " WHERE r.sha256 = file_content.sha256)"
+                + " AND NOT EXISTS (SELECT 1 FROM second_run_recording s"
+                + " WHERE s.sha256 = file_content.sha256)"
                 + " AND NOT EXISTS (SELECT 1 FROM case_signals s"
                 + " WHERE s.sha256 = file_content.sha256)")
         .param(now().minus(GRACE_PERIOD))

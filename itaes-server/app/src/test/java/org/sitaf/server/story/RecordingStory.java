@@ -83,6 +83,36 @@ abstract class RecordingStory extends DispatchStory {
   }
 
   @Test
+  void secondRunsOfRelationsAreRecordedWithTheirCases() {
+    String id = api.build(suiteId);
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "second-films", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      AttemptRef attempt = assignment.getAttempt();
+      agent.uploadRecording(attempt, 3, glb(100, 0));
+      agent.uploadRecording(attempt, 3, 1, glb(100, 1));
+      agent.uploadRecording(attempt, 3, 2, glb(100, 9));
+      agent.uploadRecording(attempt, 3, 2, glb(200, 2));
+      assertRejected(
+          Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 3, 21, glb(20, 1)));
+      // Beyond the limit of all recordings together.
+      assertRejected(
+          Status.Code.INVALID_ARGUMENT,
+          () -> agent.uploadRecording(attempt, 3, 3, glb(1 << 20, 1)));
+      agent.submit(attempt, FakeAgent.result(agent.download(assignment), List.of()));
+    }
+    assertThat(recorded(id, "CASE")).containsExactly(3);
+    assertThat(recording(id, 3).expect(200).bytes()).isEqualTo(glb(100, 0));
+    String path = "/api/v1/builds/" + id + "/recordings/3/relations/";
+    assertThat(api.get(path + 1).expect(200).bytes()).isEqualTo(glb(100, 1));
+    assertThat(api.get(path + 2).expect(200).bytes()).isEqualTo(glb(200, 2));
+    api.get(path + 3).expect(404);
+    // Unused contents are deleted; these are used.
+    jdbc.sql("UPDATE file_content SET stored = TIMESTAMP '2000-01-01 00:00:00'").update();
+    assertThat(files.deleteUnreferenced()).isNotNegative();
+    assertThat(api.get(path + 1).expect(200).bytes()).isEqualTo(glb(100, 1));
+  }
+
+  @Test
   void requestedCasesAreRecorded() {
     String none = request("\"recordings\": \"NONE\"");
     try (FakeAgent agent = FakeAgent.register(grpcPort(), "no-films", "java")) {

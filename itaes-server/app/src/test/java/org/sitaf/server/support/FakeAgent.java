@@ -325,6 +325,22 @@ public final class FakeAgent implements AutoCloseable {
             .build());
   }
 
+  /**
+   * Uploads the recording of a second run.
+   *
+   * @param relation from 1
+   */
+  public void uploadRecording(AttemptRef attempt, int caseNo, int relation, byte[] gltf) {
+    calls.uploadRecording(
+        UploadRecordingRequest.newBuilder()
+            .setAttempt(attempt)
+            .setCaseNo(caseNo)
+            .setRelation(relation)
+            .setGltf(ByteString.copyFrom(gltf))
+            .setSha256(StoredFiles.sha256(gltf))
+            .build());
+  }
+
   public void uploadSignals(AttemptRef attempt, int caseNo, CaseSignals signals) {
     UploadSignalsResponse unused =
         calls.uploadSignals(

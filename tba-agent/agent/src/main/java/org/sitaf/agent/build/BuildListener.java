@@ -44,6 +44,16 @@ public interface BuildListener {
    */
   void recorded(int no, Path recording);
 
+  /**
+   * The recording of the second run of a finished case is available.
+   *
+   * @param relation index of the relation in the model, from 1
+   * @param recording binary glTF, the build's own copy
+   */
+  default void secondRunRecorded(int no, int relation, Path recording) {
+    // Only agents send it to a server.
+  }
+
   /** The signals of a finished case are kept for a server. */
   default void signalsKept(int no, SignalExcerpt signals) {
     // Only agents send them to a server.

@@ -232,7 +232,7 @@ public final class BuildRun {
       CaseSignals signals = prepared.signals();
       ExecutionRequest request = request(compiled, prepared);
       RelationRuns.Executed relations =
-          new RelationRuns(application, executor(), signals)
+          new RelationRuns(application, executor(), signals, settings.recordings())
               .execute(request, prepared.simulator(), log);
       ResultAssembler assembler =
           new ResultAssembler(
@@ -249,6 +249,7 @@ public final class BuildRun {
               request,
               early,
               record -> signals.judge(assembler, record, prepared.simulator()),
+              relations.recordings(),
               log);
       signals.report(log);
 
@@ -326,6 +327,7 @@ public final class BuildRun {
       ExecutionRequest request,
       @Nullable EarlyProcess early,
       Function<CaseRecord, CaseResult> judge,
+      List<Path> secondRuns,
       BuildLog log)
       throws IOException, InterruptedException {
     Path recording = request.recording();
@@ -335,7 +337,8 @@ public final class BuildRun {
     }
     Map<Integer, Path> folders = executor().recordingFolders(application.suite(), recording);
     Path collected = recording.resolveSibling("recording.collected");
-    try (Recordings recordings = new Recordings(folders, collected, order, listener, log)) {
+    try (Recordings recordings =
+        new Recordings(folders, collected, secondRuns, order, listener, log)) {
       return executor()
           .execute(
               request,

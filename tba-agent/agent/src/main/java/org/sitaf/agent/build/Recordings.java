@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.OutputSink;
 import org.sitaf.core.verdict.CaseResult;
@@ -39,6 +40,7 @@ final class Recordings implements AutoCloseable {
 
   private final Map<Integer, Path> from;
   private final Path collected;
+  private final List<Path> secondRuns;
   private final RecordingOrder order;
   private final BuildListener listener;
   private final OutputSink log;
@@ -64,15 +66,19 @@ final class Recordings implements AutoCloseable {
    * @param from folder of the test application, by the number of the case; need not exist yet
    * @param collected folder for files that are moved out of those folders; the component cannot
    *     access it
+   * @param secondRuns for each relation the folder of the recordings of its second runs, which have
+   *     ended; the component cannot access it
    */
   Recordings(
       Map<Integer, Path> from,
       Path collected,
+      List<Path> secondRuns,
       RecordingOrder order,
       BuildListener listener,
       OutputSink log) {
     this.from = Map.copyOf(from);
     this.collected = collected;
+    this.secondRuns = List.copyOf(secondRuns);
     this.order = order;
     this.kept = new KeptFiles("recordings", order.maxRecordings(), order.maxBytes());
     this.listener = listener;
@@ -145,14 +151,37 @@ final class Recordings implements AutoCloseable {
       return true;
     }
     byte[] content = gltf.get();
-    if (!kept.admit(content.length)) {
+    long size = content.length;
+    Map<Integer, Path> others = secondRuns(one.no());
+    for (Path other : others.values()) {
+      size += Files.size(other);
+    }
+    if (!kept.admit(size)) {
       return true;
     }
     Files.createDirectories(order.folder());
-    Path target = order.folder().resolve(one.no() + ".glb");
+    Path target = order.folder().resolve(new RecordingFile(one.no(), 0).name());
     Files.write(target, content);
     listener.recorded(one.no(), target);
+    for (Map.Entry<Integer, Path> other : others.entrySet()) {
+      Path second = order.folder().resolve(new RecordingFile(one.no(), other.getKey()).name());
+      // The folders can be on different file systems.
+      Files.move(other.getValue(), second, StandardCopyOption.REPLACE_EXISTING);
+      listener.secondRunRecorded(one.no(), other.getKey(), second);
+    }
     return true;
+  }
+
+  /** The recordings of the second runs of a case, by the index of the relation, from 1. */
+  private Map<Integer, Path> secondRuns(int no) {
+    Map<Integer, Path> found = new TreeMap<>();
+    for (int i = 0; i < secondRuns.size(); i++) {
+      Path file = secondRuns.get(i).resolve(new RecordingFile(no, 0).name());
+      if (Files.exists(file)) {
+        found.put(i + 1, file);
+      }
+    }
+    return found;
   }
 
   /** Returns false if the file is missing. A process that has it open can still write to it. */

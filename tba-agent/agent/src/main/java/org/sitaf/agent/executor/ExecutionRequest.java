@@ -131,12 +131,14 @@ public record ExecutionRequest(
   }
 
   /**
-   * Other cases of the same application, with their own folder. They are neither recorded nor
-   * repeated, and their coverage is kept apart.
+   * Other cases of the same application, with their own folder. They are not repeated, and their
+   * coverage is kept apart.
    *
    * @param folder name of the folder
+   * @param recordings folder of their recordings; null for none
    */
-  public ExecutionRequest apart(String folder, TestSuite others) throws IOException {
+  public ExecutionRequest apart(String folder, TestSuite others, @Nullable Path recordings)
+      throws IOException {
     Path own = Files.createDirectories(directory.resolve(folder));
     return new ExecutionRequest(
         application,
@@ -146,7 +148,7 @@ public record ExecutionRequest(
         written(others, own),
         own,
         own.resolve("coverage"),
-        null,
+        recordings,
         world,
         null,
         limits,

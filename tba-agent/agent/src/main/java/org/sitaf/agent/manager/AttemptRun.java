@@ -241,6 +241,11 @@ final class AttemptRun {
       }
 
       @Override
+      public void secondRunRecorded(int no, int relation, Path recording) {
+        report.secondRunRecorded(no, relation, recording);
+      }
+
+      @Override
       public void signalsKept(int no, SignalExcerpt signals) {
         try {
           report.signalsKept(SignalFiles.write(recordings(), no, signals));

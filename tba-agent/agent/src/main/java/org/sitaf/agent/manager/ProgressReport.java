@@ -97,6 +97,11 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     recordings.add(recording);
   }
 
+  @Override
+  public void secondRunRecorded(int no, int relation, Path recording) {
+    recordings.add(recording);
+  }
+
   /** The signals of a case are in this file. */
   void signalsKept(Path file) {
     recordings.add(file);

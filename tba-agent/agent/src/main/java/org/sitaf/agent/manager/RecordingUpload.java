@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.build.RecordingFile;
 import org.sitaf.agent.v1.CaseSignals;
 
 /**
@@ -16,7 +17,6 @@ import org.sitaf.agent.v1.CaseSignals;
  */
 final class RecordingUpload implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
-  private static final String RECORDING = ".glb";
   private static final Duration FLUSH = Duration.ofSeconds(2);
 
   private final Attempt attempt;
@@ -35,7 +35,7 @@ final class RecordingUpload implements AutoCloseable {
   /**
    * Adds a file.
    *
-   * @param file {@code NO.glb} or {@code NO.signals}
+   * @param file a recording or {@code NO.signals}
    */
   synchronized void add(Path file) {
     waiting.add(file);
@@ -80,20 +80,24 @@ final class RecordingUpload implements AutoCloseable {
   /**
    * Uploads a recording or the signals of a case.
    *
-   * @param file {@code NO.glb} or {@code NO.signals}
+   * @param file a recording or {@code NO.signals}
    * @return whether the upload is complete and the file deleted
    */
   static boolean upload(Attempt attempt, ServerCalls calls, Path file) throws IOException {
     String name = file.getFileName().toString();
-    boolean isRecording = name.endsWith(RECORDING);
-    String suffix = isRecording ? RECORDING : SignalFiles.SUFFIX;
-    int no = Integer.parseInt(name.substring(0, name.length() - suffix.length()));
+    boolean isRecording = RecordingFile.isRecording(name);
+    RecordingFile of =
+        isRecording
+            ? RecordingFile.of(name)
+            : new RecordingFile(
+                Integer.parseInt(name.substring(0, name.length() - SignalFiles.SUFFIX.length())),
+                0);
     byte[] content = Files.readAllBytes(file);
     try {
       if (isRecording) {
-        calls.uploadRecording(attempt, no, content);
+        calls.uploadRecording(attempt, of, content);
       } else {
-        calls.uploadSignals(attempt, no, CaseSignals.parseFrom(content));
+        calls.uploadSignals(attempt, of.no(), CaseSignals.parseFrom(content));
       }
     } catch (StatusRuntimeException e) {
       if (ServerCalls.meaningOf(e) == ServerCalls.Failure.LATER) {
@@ -105,7 +109,7 @@ final class RecordingUpload implements AutoCloseable {
               .formatted(
                   attempt,
                   isRecording ? "recording" : "signals",
-                  no,
+                  of.no(),
                   ServerCalls.describe(e.getStatus())));
     }
     Files.delete(file);

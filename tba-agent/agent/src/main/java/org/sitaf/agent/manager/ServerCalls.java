@@ -14,6 +14,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
+import org.sitaf.agent.build.RecordingFile;
 import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.AttemptState;
@@ -133,12 +134,13 @@ final class ServerCalls {
    * @throws StatusRuntimeException as specified in the protocol; DATA_LOSS if the server confirms
    *     different content
    */
-  void uploadRecording(Attempt attempt, int caseNo, byte[] gltf) {
+  void uploadRecording(Attempt attempt, RecordingFile file, byte[] gltf) {
     String sha256 = Sha256.hex(gltf);
     UploadRecordingRequest request =
         UploadRecordingRequest.newBuilder()
             .setAttempt(attempt.ref())
-            .setCaseNo(caseNo)
+            .setCaseNo(file.no())
+            .setRelation(file.relation())
             .setSha256(sha256)
             .build();
     String stored =

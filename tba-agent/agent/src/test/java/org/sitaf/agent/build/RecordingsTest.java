@@ -44,6 +44,7 @@ class RecordingsTest {
     return new Recordings(
         from,
         folder.resolve("taken"),
+        List.of(folder.resolve("relation-1")),
         new RecordingOrder(folder.resolve("to"), cases, most, bytes),
         new BuildListener() {
           @Override
@@ -116,6 +117,27 @@ class RecordingsTest {
     assertThat(remarks).hasSize(2);
     assertThat(remarks.get(0)).startsWith("recordings: 2 cases, 0.0 MiB");
     assertThat(remarks.get(1)).contains("some recordings are lost", "is not a regular file");
+  }
+
+  @Test
+  void secondRunsAreKeptWithTheirCases() throws IOException {
+    Path second = Files.createDirectories(folder.resolve("relation-1"));
+    for (int no = 1; no <= 3; no++) {
+      Files.write(second.resolve(no + ".glb"), glb(24));
+    }
+    try (Recordings recordings = recordings(Cases.FAILED, 10, 60)) {
+      recordings.expect(result(1, Verdict.PASS));
+      recordings.expect(result(2, Verdict.FAIL));
+      recordings.expect(result(3, Verdict.FAIL));
+      for (int no = 1; no <= 3; no++) {
+        Files.write(from(no + ".glb"), glb(16));
+      }
+    }
+
+    // Case 3 is beyond the limit of 60 bytes: both runs of a case are kept, or none.
+    assertThat(kept()).containsExactly("2.glb", "2.relation-1.glb");
+    assertThat(RecordingFile.of("2.relation-1.glb")).isEqualTo(new RecordingFile(2, 1));
+    assertThat(remarks.get(0)).startsWith("recordings: 1 cases").contains("1 more are omitted");
   }
 
   @Test

@@ -184,7 +184,11 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private UploadRecordingResponse store(UploadRecordingRequest request, byte[] gltf) {
     disk.requireFor(gltf.length);
     recordings.store(
-        Messages.toKey(request.getAttempt()), request.getCaseNo(), gltf, request.getSha256());
+        Messages.toKey(request.getAttempt()),
+        request.getCaseNo(),
+        request.getRelation(),
+        gltf,
+        request.getSha256());
     return UploadRecordingResponse.newBuilder().setSha256(request.getSha256()).build();
   }
 

@@ -73,7 +73,28 @@ class RecordingController {
       content = @Content(mediaType = GLB, schema = @Schema(type = "string", format = "binary")))
   ResponseEntity<Resource> get(
       @PathVariable String id, @PathVariable int caseNo, HttpServletResponse response) {
-    Recording recording = recordings.find(id, caseNo);
+    return glb(recordings.find(id, caseNo), response);
+  }
+
+  @GetMapping(path = "/{caseNo}/relations/{relation}", produces = GLB)
+  @Operation(
+      operationId = "getSecondRunRecording",
+      summary = "Downloads the recording of the second run of a case for a relation",
+      description =
+          "The number of the relation is its place in the test model, from 1. The second runs of a"
+              + " case are recorded together with the case.")
+  @ApiResponse(
+      responseCode = "200",
+      content = @Content(mediaType = GLB, schema = @Schema(type = "string", format = "binary")))
+  ResponseEntity<Resource> getSecondRun(
+      @PathVariable String id,
+      @PathVariable int caseNo,
+      @PathVariable int relation,
+      HttpServletResponse response) {
+    return glb(recordings.findSecondRun(id, caseNo, relation), response);
+  }
+
+  private ResponseEntity<Resource> glb(Recording recording, HttpServletResponse response) {
     // Browsers may store the file, but have to revalidate it.
     response.setHeader(HttpHeaders.CACHE_CONTROL, "private, no-cache");
     return ResponseEntity.ok()

@@ -32,14 +32,19 @@ public class Recordings {
   /** Maximum number of recordings per attempt. */
   public static final int MAX_RECORDINGS = 500;
 
+  /** Maximum number of relations of a test model. */
+  private static final int MAX_RELATIONS = 20;
+
   private static final int MAX_BYTES = 32 << 20;
   private static final int HEADER_BYTES = 12;
   private static final int MAGIC = 0x46546C67;
   private static final int VERSION = 2;
 
-  private static final String OF_LATEST_ATTEMPT =
-      " FROM recording r JOIN attempt a ON a.token = r.token JOIN build b ON b.id = a.build_id"
+  private static final String IN_LATEST_ATTEMPT =
+      " JOIN attempt a ON a.token = r.token JOIN build b ON b.id = a.build_id"
           + " AND b.attempt = a.no WHERE (b.id = :build OR b.parent_id = :build)";
+
+  private static final String OF_LATEST_ATTEMPT = " FROM recording r" + IN_LATEST_ATTEMPT;
 
   private final Builds builds;
   private final StoredFiles contents;
@@ -72,18 +77,23 @@ public class Recordings {
   }
 
   /**
-   * Stores the recording of a case of a running attempt. Repeating the call changes nothing.
+   * Stores a recording of a case of a running attempt. Repeating the call changes nothing.
    *
+   * @param relation index of the relation, from 1, if it is that of a second run; 0 for the case
+   *     itself
    * @param sha256 hash from the agent, which is verified
    * @throws RequestException if the build is not recorded, or a limit is exceeded
    * @throws org.sitaf.server.build.OutdatedAttemptException if the attempt has ended
    */
-  public void store(AttemptKey key, int caseNo, byte[] gltf, String sha256) {
+  public void store(AttemptKey key, int caseNo, int relation, byte[] gltf, String sha256) {
     if (recordedCases(key) == RecordedCases.NONE) {
       throw RequestException.malformed("recordings: build " + key.buildId() + " is not recorded.");
     }
     if (caseNo < 1) {
       throw RequestException.malformed("case_no: must be 1 or more.");
+    }
+    if (relation < 0 || relation > MAX_RELATIONS) {
+      throw RequestException.malformed("relation: must be 0 to " + MAX_RELATIONS + ".");
     }
     requireGlb(gltf);
     String actual = StoredFiles.sha256(gltf);
@@ -91,9 +101,9 @@ public class Recordings {
       throw RequestException.malformed(
           "sha256: is " + sha256 + ", but the recording's is " + actual + ".");
     }
-    requireWithinLimits(key, caseNo, gltf.length);
+    requireWithinLimits(key, caseNo, relation, gltf.length);
     contents.store(gltf);
-    transaction.executeWithoutResult(status -> insert(key, caseNo, actual, gltf.length));
+    transaction.executeWithoutResult(status -> insert(key, caseNo, relation, actual, gltf.length));
   }
 
   private RecordedCases recordedCases(AttemptKey key) {
@@ -117,11 +127,17 @@ public class Recordings {
     }
   }
 
-  private void requireWithinLimits(AttemptKey key, int caseNo, long size) {
+  /** The number of recordings is that of the recorded cases, with or without second runs. */
+  private void requireWithinLimits(AttemptKey key, int caseNo, int relation, long size) {
     jdbc.sql(
-            "SELECT COUNT(*), COALESCE(SUM(size), 0) FROM recording"
-                + " WHERE token = ? AND case_no <> ?")
-        .params(key.token(), caseNo)
+            "SELECT COUNT(DISTINCT CASE WHEN case_no <> :case THEN case_no END),"
+                + " COALESCE(SUM(CASE WHEN case_no <> :case OR relation <> :relation THEN size"
+                + " ELSE 0 END), 0) FROM (SELECT case_no, 0 AS relation, size FROM recording"
+                + " WHERE token = :token UNION ALL SELECT case_no, relation, size"
+                + " FROM second_run_recording WHERE token = :token) recorded")
+        .param("token", key.token())
+        .param("case", caseNo)
+        .param("relation", relation)
         .query(
             row -> {
               if (row.getLong(1) >= MAX_RECORDINGS || row.getLong(2) + size > maxBytes) {
@@ -132,8 +148,19 @@ public class Recordings {
             });
   }
 
-  private void insert(AttemptKey key, int caseNo, String sha256, long size) {
+  private void insert(AttemptKey key, int caseNo, int relation, String sha256, long size) {
     OffsetDateTime now = clock.instant().atOffset(ZoneOffset.UTC);
+    if (relation > 0) {
+      jdbc.sql("DELETE FROM second_run_recording WHERE token = ? AND case_no = ? AND relation = ?")
+          .params(key.token(), caseNo, relation)
+          .update();
+      jdbc.sql(
+              "INSERT INTO second_run_recording (token, case_no, relation, sha256, size, received)"
+                  + " VALUES (?, ?, ?, ?, ?, ?)")
+          .params(key.token(), caseNo, relation, sha256, size, now)
+          .update();
+      return;
+    }
     int known =
         jdbc.sql("UPDATE recording SET sha256 = ?, size = ? WHERE token = ? AND case_no = ?")
             .params(sha256, size, key.token(), caseNo)
@@ -192,6 +219,30 @@ public class Recordings {
             .optional();
     return found.orElseThrow(
         () -> RequestException.notFound("recording in build " + buildId + " of case", caseNo + ""));
+  }
+
+  /**
+   * Returns the recording of the second run of a case.
+   *
+   * @param relation index of the relation in the test model, from 1
+   * @throws RequestException if there is none
+   */
+  public Recording findSecondRun(String buildId, int caseNo, int relation) {
+    Optional<Recording> found =
+        jdbc.sql(
+                "SELECT r.case_no, r.sha256, r.size, r.received FROM second_run_recording r"
+                    + IN_LATEST_ATTEMPT
+                    + " AND r.case_no = :case AND r.relation = :relation")
+            .param("build", buildId)
+            .param("case", caseNo)
+            .param("relation", relation)
+            .query((row, index) -> read(row))
+            .optional();
+    return found.orElseThrow(
+        () ->
+            RequestException.notFound(
+                "recording in build " + buildId + " of the second run of case",
+                caseNo + ", relation " + relation));
   }
 
   /** Returns the binary glTF file. */
