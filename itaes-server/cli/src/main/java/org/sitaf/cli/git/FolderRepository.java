@@ -3,22 +3,18 @@ package org.sitaf.cli.git;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.eclipse.jgit.errors.ConfigInvalidException;
 import org.eclipse.jgit.errors.IncorrectObjectTypeException;
 import org.eclipse.jgit.errors.RevisionSyntaxException;
-import org.eclipse.jgit.lib.Config;
 import org.eclipse.jgit.lib.FileMode;
 import org.eclipse.jgit.lib.ObjectId;
 import org.eclipse.jgit.lib.Repository;
 import org.eclipse.jgit.revwalk.RevCommit;
 import org.eclipse.jgit.revwalk.RevWalk;
-import org.eclipse.jgit.storage.file.FileBasedConfig;
 import org.eclipse.jgit.storage.file.FileRepositoryBuilder;
 import org.eclipse.jgit.treewalk.TreeWalk;
-import org.eclipse.jgit.util.FS;
-import org.eclipse.jgit.util.SystemReader;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.git.NoUserConfiguration;
 
 /**
  * The Git repository that holds a folder. Only objects are read: no hook, filter or other program
@@ -42,7 +38,7 @@ final class FolderRepository implements AutoCloseable {
    * @throws InvalidInputException if no working tree of a repository holds the folder
    */
   static FolderRepository open(Path folder) throws IOException {
-    SystemReader.setInstance(new NoUserConfig());
+    NoUserConfiguration.install();
     Path absolute = folder.toAbsolutePath().normalize();
     Path existing = absolute;
     while (!Files.isDirectory(existing) && existing.getParent() != null) {
@@ -123,46 +119,5 @@ final class FolderRepository implements AutoCloseable {
   @Override
   public void close() {
     repository.close();
-  }
-
-  /** Reads no configuration of the machine or the user, and runs no program to find it. */
-  private static final class NoUserConfig extends SystemReader.Delegate {
-    NoUserConfig() {
-      super(SystemReader.getInstance());
-    }
-
-    @Override
-    public FileBasedConfig openSystemConfig(Config parent, FS fs) {
-      return empty(parent, fs);
-    }
-
-    @Override
-    public FileBasedConfig openUserConfig(Config parent, FS fs) {
-      return empty(parent, fs);
-    }
-
-    @Override
-    public FileBasedConfig openJGitConfig(Config parent, FS fs) {
-      return empty(parent, fs);
-    }
-
-    private static FileBasedConfig empty(Config parent, FS fs) {
-      return new FileBasedConfig(parent, null, fs) {
-        @Override
-        public void load() throws IOException, ConfigInvalidException {
-          // There is no file.
-        }
-
-        @Override
-        public void save() {
-          // Measurements of the file system are not kept.
-        }
-
-        @Override
-        public boolean isOutdated() {
-          return false;
-        }
-      };
-    }
   }
 }
