@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.server.error.RequestException;
+import org.sitaf.server.network.OutboundHosts;
 
 class TargetTest {
   private final Target target =
@@ -83,12 +84,12 @@ class TargetTest {
         "::10.0.0.1"
       })
   void privateAddressesAreRecognized(String address) throws UnknownHostException {
-    assertThat(Target.isPrivate(InetAddress.getByName(address))).isTrue();
+    assertThat(OutboundHosts.isPrivate(InetAddress.getByName(address))).isTrue();
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"192.0.2.1", "8.8.8.8", "100.128.0.1", "172.32.0.1", "2606:4700::1111"})
   void publicAddressesAreRecognized(String address) throws UnknownHostException {
-    assertThat(Target.isPrivate(InetAddress.getByName(address))).isFalse();
+    assertThat(OutboundHosts.isPrivate(InetAddress.getByName(address))).isFalse();
   }
 }
