@@ -118,7 +118,7 @@ public class StoredActivities {
    * @return its id
    * @throws org.sitaf.core.diagnostic.InvalidInputException if it has errors
    */
-  String create(FileTree tree) {
+  public String create(FileTree tree) {
     Activity activity = packages.read(tree);
     String id = UUID.randomUUID().toString();
     return quotas.storing(
@@ -223,8 +223,28 @@ public class StoredActivities {
         });
   }
 
+  /**
+   * Replaces the files of an activity by those of its source, which is no edit of a person.
+   *
+   * @throws org.sitaf.core.diagnostic.InvalidInputException if they have errors
+   */
+  public void update(String id, FileTree tree) {
+    Activity activity = packages.read(tree);
+    List<StoredFile> files = contents.store(tree);
+    transaction.executeWithoutResult(
+        status -> {
+          StoredActivity stored =
+              activities
+                  .findForUpdate(id)
+                  .orElseThrow(() -> RequestException.notFound("activity", id));
+          stored.replace(activity, files, now());
+          activities.saveAndFlush(stored);
+        });
+  }
+
   /** Replaces the files of an activity. */
   void replace(String id, FileTree tree, Requests.Expected expected) {
+    events.publishEvent(new ActivityEdit(id));
     Activity activity = packages.read(tree);
     quotas.storing(
         tree,

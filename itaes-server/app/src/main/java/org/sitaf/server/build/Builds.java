@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -103,6 +104,22 @@ public class Builds {
     TestApplication application = selected(suites.application(suiteId), options.cases());
     quotas.requireBuild(application.files());
     return queue(suites.origin(suiteId), application, options, source, null);
+  }
+
+  /**
+   * Requests a build of a test application that was made of other files than the activity's current
+   * ones.
+   *
+   * @param stored called with the build's id in the transaction that stores the build
+   * @return its id
+   */
+  public String request(
+      SuiteOrigin origin,
+      TestApplication application,
+      BuildOptions options,
+      BuildSource source,
+      Consumer<String> stored) {
+    return queue(origin, application, options, source, null, stored);
   }
 
   /**
@@ -280,6 +297,16 @@ public class Builds {
       BuildOptions options,
       BuildSource source,
       @Nullable Reservation reservation) {
+    return queue(origin, application, options, source, reservation, id -> {});
+  }
+
+  private String queue(
+      SuiteOrigin origin,
+      TestApplication application,
+      BuildOptions options,
+      BuildSource source,
+      @Nullable Reservation reservation,
+      Consumer<String> stored) {
     Requirements requirements = Requirements.of(application, options.agent());
     List<StoredFile> files = contents.store(application.files());
     Build build =
@@ -294,7 +321,7 @@ public class Builds {
       FrozenApplication frozen = FrozenApplication.of(shard, requirements, shardFiles);
       all.add(build.addShard(UUID.randomUUID().toString(), no, frozen, now()));
     }
-    return insert(all);
+    return insert(all, stored);
   }
 
   private Build create(
@@ -335,20 +362,23 @@ public class Builds {
                             false))
                 .toList()),
         now());
-    return insert(List.of(build));
+    return insert(List.of(build), id -> {});
   }
 
   /** Inserts a build together with its shards. */
-  private String insert(List<Build> all) {
+  private String insert(List<Build> all, Consumer<String> stored) {
+    String id = all.get(0).id();
     transaction.executeWithoutResult(
-        status ->
-            all.forEach(
-                build -> {
-                  builds.saveAndFlush(build);
-                  quotas.ownBuild(build.id());
-                  changed(build);
-                }));
-    return all.get(0).id();
+        status -> {
+          all.forEach(
+              build -> {
+                builds.saveAndFlush(build);
+                quotas.ownBuild(build.id());
+                changed(build);
+              });
+          stored.accept(id);
+        });
+    return id;
   }
 
   private Optional<String> find(Reservation reservation) {

@@ -21,7 +21,7 @@ import org.springframework.stereotype.Service;
 
 /** Compares the results of builds, as {@code ./sitaf compare} does with those of its own runs. */
 @Service
-class Comparisons {
+public class Comparisons {
   /** Maximum number of entries of all comparisons in the cache. */
   private static final int MAX_ENTRIES = 200_000;
 
@@ -69,6 +69,37 @@ class Comparisons {
             "The comparison of the results", () -> compare(key.base(), key.now()));
     compared.put(key, found);
     return found;
+  }
+
+  /**
+   * What differs between two results.
+   *
+   * @param cases number of cases that both builds executed
+   * @param differingCases number of those that differ
+   * @param groups of the differences, the largest last
+   */
+  public record Differences(int cases, int differingCases, List<Group> groups) {
+    public Differences {
+      groups = List.copyOf(groups);
+    }
+
+    /** Differences that have something in common. */
+    public record Group(String text, int size) {}
+  }
+
+  /**
+   * Returns what differs between the result of a build and an earlier one.
+   *
+   * @throws RequestException if one has no result, or they cannot be compared
+   */
+  public Differences differences(String base, String now) {
+    ComparedBuilds found = of(base, now);
+    return new Differences(
+        found.cases(),
+        found.differingCases(),
+        found.groups().stream()
+            .map(group -> new Differences.Group(group.text(), group.differences().size()))
+            .toList());
   }
 
   private ComparedBuilds compare(String base, String now) {

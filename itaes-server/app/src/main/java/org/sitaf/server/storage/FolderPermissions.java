@@ -37,7 +37,15 @@ final class FolderPermissions
 
   /** Files of the server, and folders that {@code ./sitaf up} creates next to them. */
   private static final Set<String> OWN_NAMES =
-      Set.of("ports.properties", "logs", "uploads", "first-password", "server", "agent");
+      Set.of(
+          "ports.properties",
+          "logs",
+          "uploads",
+          "first-password",
+          "server",
+          "agent",
+          "git",
+          "git.key");
 
   @Override
   public void initialize(ConfigurableApplicationContext context) {

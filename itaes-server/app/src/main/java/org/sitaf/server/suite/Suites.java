@@ -130,10 +130,31 @@ public class Suites {
   }
 
   String generate(String activityId, String modelName, GenerationOptions options) {
-    TestModel model = StoredActivities.model(activities.activity(activityId), modelName);
-    GeneratedSuite generated =
-        computations.generation(
-            "The generation of the suite", () -> TestCaseGenerator.generate(model, options));
+    return store(
+        activityId,
+        generate(StoredActivities.model(activities.activity(activityId), modelName), options));
+  }
+
+  /**
+   * Generates the suite of a model that is not stored, with the default options.
+   *
+   * @throws org.sitaf.core.diagnostic.InvalidInputException if it cannot be generated
+   */
+  public GeneratedSuite generate(TestModel model) {
+    return generate(model, SuiteOptions.NONE.toGeneration());
+  }
+
+  private GeneratedSuite generate(TestModel model, GenerationOptions options) {
+    return computations.generation(
+        "The generation of the suite", () -> TestCaseGenerator.generate(model, options));
+  }
+
+  /**
+   * Stores a generated suite.
+   *
+   * @return its id
+   */
+  public String store(String activityId, GeneratedSuite generated) {
     String id = UUID.randomUUID().toString();
     byte[] document = document(generated.suite());
     quotas.requireSuite(document.length);
@@ -260,7 +281,8 @@ public class Suites {
     return clock.instant().truncatedTo(ChronoUnit.MICROS);
   }
 
-  private static byte[] document(TestSuite suite) {
+  /** The document of a suite, as it is stored. */
+  public static byte[] document(TestSuite suite) {
     ByteArrayOutputStream document = new ByteArrayOutputStream();
     TestSuiteXml.write(suite, document);
     return document.toByteArray();

@@ -24,6 +24,11 @@ class BodyLimit extends OncePerRequestFilter {
   private static final DataSize SIGN_IN_LIMIT = DataSize.ofKilobytes(64);
   private static final String SIGN_IN = "/api/v1/session";
 
+  /** Messages of forges are not authenticated before they were read. */
+  private static final DataSize HOOK_LIMIT = DataSize.ofMegabytes(2);
+
+  private static final String HOOKS = "/api/v1/git-hooks";
+
   @Override
   protected void doFilterInternal(
       HttpServletRequest request, HttpServletResponse response, FilterChain chain)
@@ -33,6 +38,8 @@ class BodyLimit extends OncePerRequestFilter {
             && request.getContentType().startsWith(MediaType.APPLICATION_JSON_VALUE);
     if (request.getRequestURI().startsWith(SIGN_IN)) {
       chain.doFilter(new LimitedRequest(request, SIGN_IN_LIMIT), response);
+    } else if (request.getRequestURI().startsWith(HOOKS)) {
+      chain.doFilter(new LimitedRequest(request, HOOK_LIMIT), response);
     } else if (json) {
       chain.doFilter(new LimitedRequest(request, LIMIT), response);
     } else {

@@ -27,7 +27,15 @@ class RolesTest extends ServerTest {
 
   /** By default reading requires VIEWER and changing requires TESTER. */
   private static final Map<String, String> EXCEPTIONS =
-      Map.of("signIn", ANONYMOUS, "signOut", "VIEWER", "changePassword", "VIEWER");
+      Map.of(
+          "signIn",
+          ANONYMOUS,
+          "receiveGitHook",
+          ANONYMOUS,
+          "signOut",
+          "VIEWER",
+          "changePassword",
+          "VIEWER");
 
   private static final List<String> FOR_ADMINISTRATORS =
       List.of("/api/v1/users", "/api/v1/audit", "/api/v1/enrolments", "/api/v1/webhooks");

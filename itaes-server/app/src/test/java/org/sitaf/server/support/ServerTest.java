@@ -27,7 +27,13 @@ import org.springframework.test.context.DynamicPropertySource;
       "sitaf.max-signals=100KB",
       "sitaf.webhooks.allowed-hosts=localhost",
       "sitaf.webhooks.private-addresses=true",
-      "sitaf.webhooks.interval=200ms"
+      "sitaf.webhooks.interval=200ms",
+      "sitaf.git.private-addresses=true",
+      "sitaf.git.plain-http-hosts=localhost",
+      "sitaf.git.min-interval=1s",
+      "sitaf.git.status-interval=100ms",
+      "sitaf.git.max-object=4MB",
+      "sitaf.git.max-repository=16MB"
     })
 @Tag("slow")
 public abstract class ServerTest {
@@ -46,6 +52,9 @@ public abstract class ServerTest {
 
   private static final Path DATA = temporary();
 
+  /** Repositories below it may be fetched by file: URLs. */
+  protected static final Path REPOSITORIES = temporary();
+
   @LocalServerPort private int httpPort;
   @Autowired private GrpcServerLifecycle grpc;
 
@@ -54,6 +63,7 @@ public abstract class ServerTest {
   @DynamicPropertySource
   static void dataDirectory(DynamicPropertyRegistry registry) {
     registry.add("sitaf.data-directory", DATA::toString);
+    registry.add("sitaf.git.file-folders", REPOSITORIES::toString);
     registry.add("sitaf.access.launcher-token", () -> TOKEN);
     registry.add("sitaf.access.launcher-enrolment", () -> ENROLMENT);
   }
@@ -61,6 +71,11 @@ public abstract class ServerTest {
   @BeforeEach
   void connect() {
     api = new Api(httpPort);
+  }
+
+  /** The data directory of the shared server. */
+  protected static Path data() {
+    return DATA;
   }
 
   protected int httpPort() {

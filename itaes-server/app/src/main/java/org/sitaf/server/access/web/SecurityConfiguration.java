@@ -31,6 +31,10 @@ import org.springframework.security.web.csrf.CsrfException;
 @EnableConfigurationProperties(AccessSettings.class)
 class SecurityConfiguration {
   private static final String SESSION = "/api/v1/session";
+
+  /** Messages of forges, which carry a signature. */
+  private static final String GIT_HOOKS = "/api/v1/git-hooks/**";
+
   private static final String VIEWER = "VIEWER";
   private static final String TESTER = "TESTER";
   private static final String ADMINISTRATOR = "ADMINISTRATOR";
@@ -40,7 +44,11 @@ class SecurityConfiguration {
       throws Exception {
     return http.authorizeHttpRequests(SecurityConfiguration::rules)
         // Browsers send cookies by themselves, but not tokens: only sessions need CSRF protection.
-        .csrf(csrf -> csrf.spa().ignoringRequestMatchers(BearerFilter::hasToken))
+        .csrf(
+            csrf ->
+                csrf.spa()
+                    .ignoringRequestMatchers(BearerFilter::hasToken)
+                    .ignoringRequestMatchers(GIT_HOOKS))
         .addFilterBefore(new BearerFilter(tokens), AnonymousAuthenticationFilter.class)
         .exceptionHandling(
             handlers ->
@@ -71,6 +79,8 @@ class SecurityConfiguration {
         .requestMatchers("/actuator/prometheus")
         .hasRole(VIEWER)
         .requestMatchers(HttpMethod.POST, SESSION)
+        .permitAll()
+        .requestMatchers(HttpMethod.POST, GIT_HOOKS)
         .permitAll()
         .requestMatchers("/api/v1/session/**", "/api/v1/tokens/**")
         .hasRole(VIEWER)

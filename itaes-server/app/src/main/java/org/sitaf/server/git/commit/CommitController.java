@@ -1,0 +1,127 @@
+package org.sitaf.server.git.commit;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.error.RequestException;
+import org.sitaf.server.git.source.GitSource;
+import org.sitaf.server.git.source.GitSources;
+import org.sitaf.server.web.Listing;
+import org.springframework.data.domain.PageRequest;
+import org.springframework.data.domain.Sort;
+import org.springframework.http.HttpStatus;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+@RestController
+@RequestMapping("/api/v1/activities/{id}/git")
+@Tag(name = "git")
+class CommitController {
+  private final GitSources sources;
+  private final CommitRows commits;
+  private final CommitOutcomes outcomes;
+  private final Fetches fetches;
+
+  CommitController(
+      GitSources sources, CommitRows commits, CommitOutcomes outcomes, Fetches fetches) {
+    this.sources = sources;
+    this.commits = commits;
+    this.outcomes = outcomes;
+    this.fetches = fetches;
+  }
+
+  @PostMapping("/fetch")
+  @Operation(
+      operationId = "fetchGitSource",
+      summary = "Looks for new commits now",
+      description = "Returns at once; the source shows when it was fetched, or why it was not.")
+  @ResponseStatus(HttpStatus.ACCEPTED)
+  void fetch(@PathVariable String id) {
+    fetches.request(sources.require(id).id());
+  }
+
+  @GetMapping("/commits")
+  @Operation(
+      operationId = "listGitCommits",
+      summary = "Lists the commits of an activity's branch with their results, newest first")
+  Listing<CommitView> list(
+      @PathVariable String id,
+      @Parameter(description = "number of a pull or merge request; default 0, the branch")
+          @RequestParam(defaultValue = "0")
+          int request,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
+    GitSource source = sources.require(id);
+    List<GitCommit> found =
+        commits.list(source.id(), request, pageRequest.getPageSize(), pageRequest.getOffset());
+    return new Listing<>(views(found), page, size, commits.count(source.id(), request));
+  }
+
+  @GetMapping("/commits/{sha}")
+  @Operation(operationId = "getGitCommit", summary = "Returns a commit with its results")
+  CommitView get(@PathVariable String id, @PathVariable String sha) {
+    GitSource source = sources.require(id);
+    GitCommit commit =
+        commits.find(source.id(), sha).orElseThrow(() -> RequestException.notFound("commit", sha));
+    return views(List.of(commit)).get(0);
+  }
+
+  private List<CommitView> views(List<GitCommit> found) {
+    Map<String, GitCommit> bases = new HashMap<>();
+    List<String> ids = new ArrayList<>();
+    for (GitCommit commit : found) {
+      ids.add(commit.id());
+      outcomes
+          .base(commit)
+          .ifPresent(
+              base -> {
+                bases.put(commit.id(), base);
+                ids.add(base.id());
+              });
+    }
+    Map<String, List<GitCell>> cells = new HashMap<>();
+    commits
+        .cells(ids)
+        .forEach(c -> cells.computeIfAbsent(c.commitId(), key -> new ArrayList<>()).add(c));
+    return found.stream().map(commit -> view(commit, bases.get(commit.id()), cells)).toList();
+  }
+
+  private static CommitView view(
+      GitCommit commit, @Nullable GitCommit base, Map<String, List<GitCell>> cells) {
+    List<GitCell> before = base == null ? List.of() : cells.getOrDefault(base.id(), List.of());
+    return new CommitView(
+        commit.sha(),
+        commit.requestNo(),
+        commit.subject(),
+        commit.author(),
+        commit.authored(),
+        commit.received(),
+        commit.ended(),
+        commit.state(),
+        commit.problem(),
+        base == null ? null : base.sha(),
+        commit.replaced(),
+        cells.getOrDefault(commit.id(), List.of()).stream()
+            .map(
+                cell ->
+                    CommitView.CellView.of(
+                        cell,
+                        before.stream()
+                            .filter(earlier -> earlier.model().equals(cell.model()))
+                            .map(GitCell::buildId)
+                            .findFirst()
+                            .orElse(null)))
+            .toList());
+  }
+}

@@ -1,0 +1,333 @@
+package org.sitaf.server.git.commit;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.time.ZoneOffset;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.build.BuildState;
+import org.sitaf.server.git.remote.History;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.stereotype.Repository;
+
+/** Commits of sources in the database, and the builds of their models. */
+@Repository
+public class CommitRows {
+  private static final int MAX_PROBLEM = 3900;
+  private static final String COLUMNS =
+      "SELECT id, source_id, sha, request_no, position, subject, author, authored, received, ended,"
+          + " state, problem, base_id, replaced FROM git_commit ";
+  private static final String CELLS =
+      "SELECT c.commit_id, c.model, c.build_id, c.taken_from, b.state, b.suspicions, b.total,"
+          + " b.pass, b.fail, b.error, b.failure_message, c.compared, c.differing"
+          + " FROM git_cell c JOIN build b ON b.id = c.build_id ";
+
+  private final JdbcClient jdbc;
+  private final Clock clock;
+
+  CommitRows(JdbcClient jdbc, Clock clock) {
+    this.jdbc = jdbc;
+    this.clock = clock;
+  }
+
+  public Optional<GitCommit> find(String id) {
+    return jdbc.sql(COLUMNS + "WHERE id = ?").param(id).query(CommitRows::commit).optional();
+  }
+
+  /** A commit of the branch or of a request, with whatever number of a request. */
+  public Optional<GitCommit> find(String sourceId, String sha) {
+    return jdbc
+        .sql(COLUMNS + "WHERE source_id = ? AND sha = ? ORDER BY request_no")
+        .params(sourceId, sha)
+        .query(CommitRows::commit)
+        .list()
+        .stream()
+        .findFirst();
+  }
+
+  /** The commits of the branch that no force-push has removed, the newest first. */
+  List<GitCommit> branch(String sourceId, int max) {
+    return jdbc.sql(
+            COLUMNS
+                + "WHERE source_id = ? AND request_no = 0 AND replaced = FALSE"
+                + " ORDER BY position DESC LIMIT ?")
+        .params(sourceId, max)
+        .query(CommitRows::commit)
+        .list();
+  }
+
+  /** The commits of a branch or a request, the newest first. */
+  List<GitCommit> list(String sourceId, int requestNo, int size, long offset) {
+    return jdbc.sql(
+            COLUMNS
+                + "WHERE source_id = ? AND request_no = ? ORDER BY position DESC LIMIT ? OFFSET ?")
+        .params(sourceId, requestNo, size, offset)
+        .query(CommitRows::commit)
+        .list();
+  }
+
+  long count(String sourceId, int requestNo) {
+    return jdbc.sql("SELECT COUNT(*) FROM git_commit WHERE source_id = ? AND request_no = ?")
+        .params(sourceId, requestNo)
+        .query(Long.class)
+        .single();
+  }
+
+  List<GitCommit> waiting(String sourceId) {
+    return jdbc.sql(COLUMNS + "WHERE source_id = ? AND state = 'WAITING' ORDER BY position")
+        .param(sourceId)
+        .query(CommitRows::commit)
+        .list();
+  }
+
+  /** Sources with commits that wait to be built. */
+  List<String> sourcesWithWaiting() {
+    return jdbc.sql("SELECT DISTINCT source_id FROM git_commit WHERE state = 'WAITING'")
+        .query(String.class)
+        .list();
+  }
+
+  /** Commits in state BUILDING of which no build runs any more, the oldest first. */
+  List<String> ended() {
+    return jdbc.sql(
+            "SELECT c.id FROM git_commit c WHERE c.state = 'BUILDING' AND NOT EXISTS"
+                + " (SELECT 1 FROM git_cell l JOIN build b ON b.id = l.build_id"
+                + " WHERE l.commit_id = c.id AND b.finished IS NULL) ORDER BY c.position")
+        .query(String.class)
+        .list();
+  }
+
+  /** Inserts a commit and returns its id. */
+  String insert(
+      String sourceId,
+      int requestNo,
+      History.Commit commit,
+      long position,
+      GitCommit.State state,
+      @Nullable String baseId) {
+    String id = UUID.randomUUID().toString();
+    jdbc.sql(
+            "INSERT INTO git_commit (id, source_id, sha, request_no, position, subject, author,"
+                + " authored, received, state, base_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .params(
+            id,
+            sourceId,
+            commit.id(),
+            requestNo,
+            position,
+            commit.subject(),
+            commit.author(),
+            utc(commit.time()),
+            now(),
+            state.name(),
+            baseId)
+        .update();
+    return id;
+  }
+
+  long nextPosition(String sourceId, int requestNo) {
+    return jdbc.sql(
+                "SELECT COALESCE(MAX(position), 0) FROM git_commit"
+                    + " WHERE source_id = ? AND request_no = ?")
+            .params(sourceId, requestNo)
+            .query(Long.class)
+            .single()
+        + 1;
+  }
+
+  /** Marks what a force-push has removed from the branch: everything after a position. */
+  void replacedAfter(String sourceId, long position) {
+    jdbc.sql(
+            "UPDATE git_commit SET replaced = TRUE WHERE source_id = ? AND request_no = 0"
+                + " AND position > ?")
+        .params(sourceId, position)
+        .update();
+    jdbc.sql(
+            "UPDATE git_commit SET state = 'SKIPPED' WHERE source_id = ? AND request_no = 0"
+                + " AND replaced = TRUE AND state = 'WAITING'")
+        .param(sourceId)
+        .update();
+  }
+
+  /** Removes a commit that a force-push had removed from the branch. */
+  void deleteReplaced(String sourceId, String sha) {
+    jdbc.sql(
+            "DELETE FROM git_commit WHERE source_id = ? AND request_no = 0 AND sha = ?"
+                + " AND replaced = TRUE")
+        .params(sourceId, sha)
+        .update();
+  }
+
+  /** Leaves out commits of the branch that wait, since a later one is built. */
+  void skipWaiting(String sourceId) {
+    jdbc.sql(
+            "UPDATE git_commit SET state = 'SKIPPED' WHERE source_id = ? AND request_no = 0"
+                + " AND state = 'WAITING'")
+        .param(sourceId)
+        .update();
+  }
+
+  /**
+   * Changes the state of a commit.
+   *
+   * @return false if it has another state than expected
+   */
+  boolean move(String id, GitCommit.State from, GitCommit.State to, @Nullable String problem) {
+    boolean over = to == GitCommit.State.DONE || to == GitCommit.State.INVALID;
+    return jdbc.sql(
+                "UPDATE git_commit SET state = ?, problem = ?, ended = ?"
+                    + " WHERE id = ? AND state = ?")
+            .params(
+                to.name(),
+                problem == null
+                    ? null
+                    : problem.substring(0, Math.min(problem.length(), MAX_PROBLEM)),
+                over ? now() : null,
+                id,
+                from.name())
+            .update()
+        == 1;
+  }
+
+  /** The cells of a commit, in the order of the models. */
+  public List<GitCell> cells(String commitId) {
+    return jdbc.sql(CELLS + "WHERE c.commit_id = ? ORDER BY c.position")
+        .param(commitId)
+        .query(CommitRows::cell)
+        .list();
+  }
+
+  List<GitCell> cells(Collection<String> commitIds) {
+    return commitIds.isEmpty()
+        ? List.of()
+        : jdbc.sql(CELLS + "WHERE c.commit_id IN (:commits) ORDER BY c.position, c.model")
+            .param("commits", commitIds)
+            .query(CommitRows::cell)
+            .list();
+  }
+
+  /** Commits whose results a build gives. */
+  List<String> ofBuild(String buildId) {
+    return jdbc.sql("SELECT commit_id FROM git_cell WHERE build_id = ?")
+        .param(buildId)
+        .query(String.class)
+        .list();
+  }
+
+  void insertCell(
+      String commitId,
+      String model,
+      int position,
+      String digest,
+      String buildId,
+      @Nullable String takenFrom) {
+    jdbc.sql(
+            "INSERT INTO git_cell (commit_id, model, position, digest, build_id, taken_from)"
+                + " VALUES (?, ?, ?, ?, ?, ?)")
+        .params(commitId, model, position, digest, buildId, takenFrom)
+        .update();
+  }
+
+  void compared(String commitId, String model, int compared, int differing) {
+    jdbc.sql("UPDATE git_cell SET compared = ?, differing = ? WHERE commit_id = ? AND model = ?")
+        .params(compared, differing, commitId, model)
+        .update();
+  }
+
+  /** A build whose result can be taken over, and the commit that it was made for. */
+  record Reusable(String buildId, String sha) {}
+
+  /**
+   * The latest build that read the same bytes. A build that failed or is suspect is repeated, as it
+   * could end otherwise.
+   */
+  Optional<Reusable> reusable(String sourceId, String model, String digest) {
+    return jdbc.sql(
+            "SELECT l.build_id, COALESCE(l.taken_from, c.sha) FROM git_cell l"
+                + " JOIN git_commit c ON c.id = l.commit_id JOIN build b ON b.id = l.build_id"
+                + " WHERE l.digest = ? AND c.source_id = ? AND l.model = ?"
+                + " AND b.state NOT IN ('FAILED', 'CANCELLED') AND b.suspicions IS NULL"
+                + " ORDER BY c.received DESC LIMIT 1")
+        .params(digest, sourceId, model)
+        .query((row, no) -> new Reusable(row.getString(1), row.getString(2)))
+        .optional();
+  }
+
+  Optional<String> suite(String activityId, String model, String sha256) {
+    return jdbc.sql(
+            "SELECT suite_id FROM git_suite WHERE activity_id = ? AND model = ? AND sha256 = ?")
+        .params(activityId, model, sha256)
+        .query(String.class)
+        .optional();
+  }
+
+  void insertSuite(String activityId, String model, String sha256, String suiteId) {
+    jdbc.sql("INSERT INTO git_suite (activity_id, model, sha256, suite_id) VALUES (?, ?, ?, ?)")
+        .params(activityId, model, sha256, suiteId)
+        .update();
+  }
+
+  /** Releases of the agents and versions of their toolchains, which results can depend on. */
+  List<String> toolchains() {
+    return jdbc.sql(
+            "SELECT DISTINCT a.version || ' ' || t.language || ' ' || t.version FROM agent a"
+                + " JOIN agent_toolchain t ON t.agent_name = a.name ORDER BY 1")
+        .query(String.class)
+        .list();
+  }
+
+  private OffsetDateTime now() {
+    return utc(clock.instant());
+  }
+
+  private static OffsetDateTime utc(Instant instant) {
+    return instant.atOffset(ZoneOffset.UTC);
+  }
+
+  private static GitCommit commit(ResultSet row, int index) throws SQLException {
+    OffsetDateTime ended = row.getObject(10, OffsetDateTime.class);
+    return new GitCommit(
+        row.getString(1),
+        row.getString(2),
+        row.getString(3),
+        row.getInt(4),
+        row.getLong(5),
+        row.getString(6),
+        row.getString(7),
+        row.getObject(8, OffsetDateTime.class).toInstant(),
+        row.getObject(9, OffsetDateTime.class).toInstant(),
+        ended == null ? null : ended.toInstant(),
+        GitCommit.State.valueOf(row.getString(11)),
+        row.getString(12),
+        row.getString(13),
+        row.getBoolean(14));
+  }
+
+  private static GitCell cell(ResultSet row, int index) throws SQLException {
+    return new GitCell(
+        row.getString(1),
+        row.getString(2),
+        row.getString(3),
+        row.getString(4),
+        BuildState.valueOf(row.getString(5)),
+        row.getString(6) != null,
+        number(row, 7),
+        number(row, 8),
+        number(row, 9),
+        number(row, 10),
+        row.getString(11),
+        number(row, 12),
+        number(row, 13));
+  }
+
+  private static @Nullable Integer number(ResultSet row, int column) throws SQLException {
+    int value = row.getInt(column);
+    return row.wasNull() ? null : value;
+  }
+}

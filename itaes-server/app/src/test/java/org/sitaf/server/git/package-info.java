@@ -1,0 +1,4 @@
+@NullMarked
+package org.sitaf.server.git;
+
+import org.jspecify.annotations.NullMarked;
