@@ -19,13 +19,17 @@ export interface BuildsSearch extends FoundSearch {
   state?: BuildState;
 }
 
-export const ACTIVITY_TABS = ['overview', 'interface', 'files', 'results'] as const;
+export const ACTIVITY_TABS = ['overview', 'interface', 'files', 'results', 'commits'] as const;
 export type ActivityTab = (typeof ACTIVITY_TABS)[number];
 
 export interface ActivitySearch {
   tab?: ActivityTab;
   builds?: number;
   file?: string;
+  /** A page of the commits. */
+  commits?: number;
+  /** Id of a commit to mark. */
+  commit?: string;
 }
 
 export const SUITE_TABS = ['cases', 'combinations', 'changes', 'application'] as const;
@@ -103,6 +107,8 @@ export function activitySearch(raw: Raw): ActivitySearch {
     ...choiceIn(raw, 'tab', ACTIVITY_TABS),
     ...numberIn(raw, 'builds', 2),
     ...textIn(raw, 'file'),
+    ...numberIn(raw, 'commits', 2),
+    ...textIn(raw, 'commit'),
   };
 }
 

@@ -12,6 +12,7 @@ import {
 } from '@/app/search';
 import { ActivityFiles, FavouriteButton, InterfaceTree, useActivity } from '@/features/activities';
 import { BuildList } from '@/features/builds';
+import { GitTab } from '@/features/git';
 import { ResultHistory } from '@/features/history';
 import { SuiteList } from '@/features/suites';
 import { ApiError, type Activity } from '@/shared/api';
@@ -70,6 +71,20 @@ export function ActivityPage() {
       value: 'results',
       label: 'Results',
       content: () => <ResultHistory activityId={activityId} />,
+    },
+    {
+      value: 'commits',
+      label: 'Git',
+      content: () => (
+        <GitTab
+          activityId={activityId}
+          page={toIndex(shown.commits)}
+          marked={shown.commit}
+          onPage={(page) => {
+            show(withoutAbsent<ActivitySearch>({ tab: 'commits', commits: fromIndex(page) }));
+          }}
+        />
+      ),
     },
   ];
   return (

@@ -1,6 +1,8 @@
 import { Stack, Title } from '@mantine/core';
 import { useNavigate } from '@tanstack/react-router';
+import { NewFromGit } from '@/features/git';
 import { Wizard } from '@/features/wizard';
+import { Section } from '@/shared/ui';
 
 export function NewActivityPage() {
   const navigate = useNavigate();
@@ -19,6 +21,17 @@ export function NewActivityPage() {
           })
         }
       />
+      <Section title="From a Git repository">
+        <NewFromGit
+          onCreated={(id) =>
+            void navigate({
+              to: '/activities/$activityId',
+              params: { activityId: id },
+              search: { tab: 'commits' },
+            })
+          }
+        />
+      </Section>
     </Stack>
   );
 }

@@ -44,3 +44,7 @@ export type SuiteOptions = Schemas['SuiteOptions'];
 export type ValueComparison = Schemas['ValueComparison'];
 export type Verdict = ResultCase['verdict'];
 export type Verdicts = Schemas['Verdicts'];
+export type GitCell = Schemas['GitCell'];
+export type GitCommit = Schemas['GitCommit'];
+export type GitSource = Schemas['GitSource'];
+export type GitSourceRequest = Schemas['GitSourceRequest'];

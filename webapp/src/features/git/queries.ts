@@ -1,0 +1,110 @@
+import { keepPreviousData, useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
+import { ApiError, dataOf, useApi, type GitSourceRequest } from '@/shared/api';
+
+const GIT = ['git'] as const;
+
+/** Page size of the list of commits. */
+export const COMMITS_PER_PAGE = 30;
+
+/** Milliseconds between two looks at commits whose builds run. */
+const REFRESH_MS = 3000;
+
+/** The Git source of an activity; null if it has none. */
+export function useGitSource(activityId: string) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...GIT, activityId, 'source'],
+    queryFn: async ({ signal }) => {
+      try {
+        return await dataOf(
+          api.GET('/api/v1/activities/{id}/git', { params: { path: { id: activityId } }, signal }),
+        );
+      } catch (error) {
+        if (error instanceof ApiError && error.status === 404) return null;
+        throw error;
+      }
+    },
+    refetchInterval: REFRESH_MS,
+  });
+}
+
+/** A page of the commits of the branch, the newest first; pages count from 0. */
+export function useGitCommits(activityId: string, page: number, enabled: boolean) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...GIT, activityId, 'commits', page],
+    queryFn: ({ signal }) =>
+      dataOf(
+        api.GET('/api/v1/activities/{id}/git/commits', {
+          params: { path: { id: activityId }, query: { page, size: COMMITS_PER_PAGE } },
+          signal,
+        }),
+      ),
+    placeholderData: keepPreviousData,
+    refetchInterval: REFRESH_MS,
+    enabled,
+  });
+}
+
+export function useSaveGitSource(activityId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: ({ version, ...body }: GitSourceRequest & { version: number | undefined }) =>
+      dataOf(
+        api.PUT('/api/v1/activities/{id}/git', {
+          params: {
+            path: { id: activityId },
+            header: { 'If-Match': version === undefined ? '*' : `"${version}"` },
+          },
+          body,
+        }),
+      ),
+    onSuccess: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
+  });
+}
+
+export function useDeleteGitSource(activityId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: () =>
+      dataOf(api.DELETE('/api/v1/activities/{id}/git', { params: { path: { id: activityId } } })),
+    onSuccess: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
+  });
+}
+
+export function useFetchGitSource(activityId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: () =>
+      dataOf(
+        api.POST('/api/v1/activities/{id}/git/fetch', { params: { path: { id: activityId } } }),
+      ),
+    onSuccess: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
+  });
+}
+
+/** Creates the secret with which the forge signs its messages. */
+export function useCreateGitHook(activityId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (_: object) =>
+      dataOf(
+        api.POST('/api/v1/activities/{id}/git/hook', { params: { path: { id: activityId } } }),
+      ),
+    onSuccess: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
+  });
+}
+
+/** Creates an activity from a folder of a branch. */
+export function useCreateFromGit() {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (body: GitSourceRequest) => dataOf(api.POST('/api/v1/git-activities', { body })),
+    onSuccess: () => cache.invalidateQueries({ queryKey: ['activities'] }),
+  });
+}
