@@ -127,7 +127,7 @@ function Hook({ activityId, source }: { activityId: string; source: GitSource })
       </Text>
       <SecretForm
         issue={create}
-        variables={{}}
+        variables={undefined}
         action={source.hasHook ? 'Replace webhook secret' : 'Create webhook secret'}
         failed="The secret was not created"
         secretOf={({ path, secret }) => ({

@@ -91,7 +91,7 @@ export function useCreateGitHook(activityId: string) {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({
-    mutationFn: (_: object) =>
+    mutationFn: () =>
       dataOf(
         api.POST('/api/v1/activities/{id}/git/hook', { params: { path: { id: activityId } } }),
       ),
