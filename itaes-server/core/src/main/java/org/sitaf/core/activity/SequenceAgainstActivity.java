@@ -120,9 +120,14 @@ final class SequenceAgainstActivity {
 
   private void state(StateVariable state) {
     String where = "state " + state.name();
-    if (state.type() instanceof DataType.Unknown) {
+    if (state.type().holdsUnknown()) {
       error(
-          state.line(), where, "no interface of the activity defines the type " + state.realType());
+          state.line(),
+          where,
+          "no interface of the activity defines the type "
+              + state.realType()
+              + "; a state is boolean, a number, string, a list such as string[], or an enumeration or"
+              + " struct that a method uses");
     } else if (state.type() instanceof DataType.Enumeration enumeration
         && !enumeration.literals().contains(state.initial().literal())) {
       error(

@@ -13,9 +13,9 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.model.sequence.StateVariable;
 
-/** Resolves the types of the abstract state: enumerations are found by name in all interfaces. */
+/** Resolves the types of the abstract state: named types are found in all interfaces. */
 final class SequenceTypes {
-  private final Map<String, DataType.Enumeration> enumerations = new LinkedHashMap<>();
+  private final Map<String, DataType> named = new LinkedHashMap<>();
   private final Set<DataType> seen = new HashSet<>();
 
   SequenceTypes(List<InterfaceDescription> provided, List<InterfaceDescription> required) {
@@ -34,12 +34,12 @@ final class SequenceTypes {
     if (!seen.add(type)) {
       return;
     }
-    if (type instanceof DataType.Enumeration enumeration) {
-      String name = enumeration.name();
-      enumerations.putIfAbsent(name, enumeration);
+    if (type instanceof DataType.Enumeration || type instanceof DataType.Struct) {
+      String name = type.typeName();
+      named.putIfAbsent(name, type);
       String dotted = name.replace("::", ".").replace('/', '.');
-      enumerations.putIfAbsent(dotted, enumeration);
-      enumerations.putIfAbsent(dotted.substring(dotted.lastIndexOf('.') + 1), enumeration);
+      named.putIfAbsent(dotted, type);
+      named.putIfAbsent(dotted.substring(dotted.lastIndexOf('.') + 1), type);
     }
     type.parts().forEach(this::add);
   }
@@ -60,10 +60,20 @@ final class SequenceTypes {
   }
 
   private StateVariable resolve(StateVariable state) {
-    DataType.Enumeration found = enumerations.get(state.realType().strip());
-    return state.type() instanceof DataType.Unknown && found != null
-        ? state.withType(found)
-        : state;
+    return state.withType(resolve(state.type()));
+  }
+
+  private DataType resolve(DataType type) {
+    if (type instanceof DataType.Unknown unknown) {
+      return named.getOrDefault(unknown.name(), unknown);
+    }
+    if (type instanceof DataType.Sequence list) {
+      return new DataType.Sequence(resolve(list.element()), list.bound());
+    }
+    if (type instanceof DataType.FixedArray array) {
+      return new DataType.FixedArray(resolve(array.element()), array.length());
+    }
+    return type;
   }
 
   private static TestModel withTypes(TestModel call, List<StateVariable> states) {

@@ -170,15 +170,12 @@ final class SequenceReader {
         continue;
       }
       DataType type = TypeGrammar.parse(state.getType()).type();
-      boolean fits =
-          type instanceof DataType.Scalar scalar
-              ? scalar.type() != ScalarType.VOID
-              : type instanceof DataType.Unknown || type instanceof DataType.Enumeration;
-      if (!fits) {
+      if (type.isVoid()) {
         problems.error(
             line,
             where,
-            "the type must be boolean, a number, string or an enumeration, not " + state.getType());
+            "the type must be boolean, a number, string, or a type of the interfaces, not "
+                + state.getType());
         continue;
       }
       problems

@@ -46,6 +46,7 @@ final class SequenceCompiler {
 
   /** The steps in the order of {@link SequenceSpec#steps()}. */
   List<CompiledStep> compile() {
+    sequence.states().forEach(this::initial);
     Set<Diagnostic> reported = new HashSet<>();
     List<CompiledStep> steps = new ArrayList<>();
     for (SequenceStep step : sequence.steps()) {
@@ -78,6 +79,14 @@ final class SequenceCompiler {
       }
     }
     return steps;
+  }
+
+  private void initial(StateVariable state) {
+    try {
+      var unused = StateVariables.initial(state);
+    } catch (IllegalArgumentException e) {
+      error(state.line(), "state " + state.name() + "/initial", String.valueOf(e.getMessage()));
+    }
   }
 
   private static String where(SequenceStep step) {

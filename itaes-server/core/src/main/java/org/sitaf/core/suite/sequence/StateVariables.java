@@ -1,6 +1,8 @@
 package org.sitaf.core.suite.sequence;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sitaf.core.description.DataType;
@@ -17,7 +19,42 @@ final class StateVariables {
   }
 
   AbstractState initial() {
-    return new AbstractState(variables.stream().map(v -> v.initial().literal()).toList());
+    return new AbstractState(variables.stream().map(StateVariables::initial).toList());
+  }
+
+  /**
+   * The literal that a result with the same value has, so that equal states are one.
+   *
+   * @throws IllegalArgumentException if the initial value is not one of the type
+   */
+  static String initial(StateVariable of) {
+    String literal = of.initial().literal();
+    DataType type = of.type();
+    if (type instanceof DataType.Scalar || type instanceof DataType.Unknown) {
+      return literal;
+    }
+    Object value = Variables.plain(literal, type);
+    if (!fits(value, type)) {
+      throw new IllegalArgumentException(
+          "'"
+              + literal
+              + "' is not a value of "
+              + type.typeName()
+              + "; write a list such as [1, 2] or [], or a struct with all members such as {x: 1.0}");
+    }
+    return ResultLiteral.of(value, type);
+  }
+
+  private static boolean fits(Object value, DataType type) {
+    if (type instanceof DataType.FixedArray array) {
+      return value instanceof List<?> elements && elements.size() == array.length();
+    }
+    if (type instanceof DataType.Struct struct) {
+      Set<String> names =
+          struct.members().stream().map(DataType.Member::name).collect(Collectors.toSet());
+      return value instanceof Map<?, ?> members && members.keySet().equals(names);
+    }
+    return !(type instanceof DataType.Sequence) || value instanceof List;
   }
 
   Variables variables(AbstractState state) {

@@ -16,6 +16,7 @@ import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
+import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCase;
@@ -65,6 +66,60 @@ class SequenceGeneratorTest {
   }
 
   private static final TestSuite SUITE = generate(MODEL.formatted("")).suite();
+
+  private static final String LISTS =
+      """
+      <test_model>
+        <name>Queue</name>
+        <input_spec_list/>
+        <sequence_spec length="4" order="2">
+          <state name="queue" type="string[]" initial="%s"/>
+          <call name="Put">
+            <guard>size(queue) &lt; 2</guard>
+            <update state="queue">queue + [item]</update>
+            <input_spec_list>
+              <test_element abstract_type="STRING" real_type="string"><name>item</name><type>TDI</type>
+                <user_value_list><value>a</value><value>b, c</value></user_value_list></test_element>
+            </input_spec_list>
+          </call>
+          <call name="Take">
+            <guard>size(queue) > 0</guard>
+            <forbidden>!error:Empty</forbidden>
+            <update state="queue">queue.filter(i, i != queue[0])</update>
+            <output_spec_list>
+              <test_element abstract_type="STRING" real_type="string"><name>return</name><type>RETURN</type>
+                <expected>queue[0]</expected></test_element>
+            </output_spec_list>
+          </call>
+        </sequence_spec>
+        <order_of_combinations>1</order_of_combinations>
+      </test_model>
+      """;
+
+  @Test
+  void anAbstractStateMayBeAList() {
+    List<TestCase> cases = generate(LISTS.formatted("[ &quot;x&quot;]")).suite().cases();
+    assertThat(cases)
+        .flatExtracting(TestCase::steps)
+        .filteredOn(step -> step.name().equals("Take") && step.valid())
+        .flatExtracting(TestStep::expected)
+        .extracting(ExpectedValue::literal)
+        .contains("x")
+        .containsAnyOf("a", "b, c");
+  }
+
+  @Test
+  void anInitialListThatIsNoneIsReportedAtItsLine() {
+    InvalidInputException refused =
+        catchThrowableOfType(InvalidInputException.class, () -> generate(LISTS.formatted("none")));
+    assertThat(refused.diagnostics())
+        .singleElement()
+        .satisfies(
+            problem -> {
+              assertThat(problem.line()).isEqualTo(5);
+              assertThat(problem.message()).startsWith("'none' is not a value of sequence<string>");
+            });
+  }
 
   @Test
   void aHundredRandomModelsAreCovered() {
