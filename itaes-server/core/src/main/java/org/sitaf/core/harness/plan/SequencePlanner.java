@@ -82,10 +82,6 @@ final class SequencePlanner {
     if (!model.relations().isEmpty()) {
       problem(steps.line(), "sequence_spec", "relation_list is not supported in a sequence");
     }
-    if (activity.profile().reference() != null) {
-      diagnostics.error(
-          HarnessPlanner.PROFILE, 0, "reference", "is not supported for a model with a sequence");
-    }
   }
 
   /** Nodes of ROS 2 have one thread of callbacks, which the harness schedules itself. */
