@@ -84,6 +84,34 @@ def test_methods_are_found_in_camel_case_and_snake_case():
         method_of(Pythonic(), "GetSpeed")
 
 
+def test_an_attribute_stands_for_the_methods_that_get_and_set_it():
+    class Controller:
+        limit = 3.0
+
+        def __init__(self):
+            self.auto_mode = True
+            self._secret = 1
+
+        @property
+        def output(self):
+            raise RuntimeError("no output yet")
+
+    controller = Controller()
+    assert method_of(controller, "auto_mode")() is True
+    assert method_of(controller, "GetAutoMode")() is True
+    method_of(controller, "SetAutoMode")(False)
+    assert method_of(controller, "AutoMode")() is False
+    method_of(controller, "set_limit")(5.0)
+    assert controller.limit == 5.0
+    assert Controller.limit == 3.0
+    with pytest.raises(RuntimeError, match="no output yet"):
+        method_of(controller, "output")()
+    with pytest.raises(CannotRunError, match="auto_mode is an attribute, but the interface gives it 1 arguments"):
+        method_of(controller, "auto_mode")(True)
+    with pytest.raises(CannotRunError, match="has no method or attribute _secret: write it"):
+        method_of(controller, "_secret")
+
+
 def test_out_parameters_are_returned_or_set():
     class Tuples:
         def both(self, a):

@@ -200,7 +200,11 @@ def _attribute(type_: type, name: str) -> str | None:
 
 
 def method_of(component: object, name: str) -> Callable[..., Any]:
-    """Find a method by its name in the interface or in snake_case. Raises CannotRunError when there is none."""
+    """Find a method by its name in the interface or in snake_case.
+
+    A public attribute stands for a method of its name, or of its name after `get`, that returns it, and for a method
+    `set` that sets it. Raises CannotRunError when there is none of them.
+    """
     found = _attribute(type(component), name)
     if found is not None:
         return getattr(component, found)
@@ -208,9 +212,32 @@ def method_of(component: object, name: str) -> Callable[..., Any]:
         method = getattr(component, variant, None)
         if callable(method):
             return method
+    snake = snake_case(name)
+    for attribute in (name, snake, snake.removeprefix("get_")):
+        if _is_attribute(component, attribute):
+            return functools.partial(_get, component, attribute)
+    if snake.startswith("set_") and _is_attribute(component, snake.removeprefix("set_")):
+        return functools.partial(setattr, component, snake.removeprefix("set_"))
+    variants = " or ".join(dict.fromkeys((name, snake)))
     raise CannotRunError(
-        f"{_named(type(component))} has no method {name} or {snake_case(name)}: write it, or write an adapter"
+        f"{_named(type(component))} has no method or attribute {variants}: write it, or write an adapter"
     )
+
+
+def _is_attribute(component: object, name: str) -> bool:
+    """Whether a component has a public attribute or property; one that raises an exception counts, too."""
+    if not name.isidentifier() or name.startswith("_"):
+        return False
+    return name in getattr(component, "__dict__", ()) or hasattr(type(component), name)
+
+
+def _get(component: object, name: str, *arguments: Any) -> Any:
+    if arguments:
+        raise CannotRunError(
+            f"{_named(type(component))}.{name} is an attribute, but the interface gives it {len(arguments)} arguments:"
+            " write a method, or write an adapter"
+        )
+    return getattr(component, name)
 
 
 @functools.cache
