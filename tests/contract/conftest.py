@@ -12,6 +12,7 @@ from client import Client
 
 def pytest_addoption(parser):
     parser.addoption("--server", help="gRPC target of a running simulator; default: start the bridge")
+    parser.addoption("--provider", help="gRPC target of a running hardware provider; default: start those of the project")
 
 
 @pytest.fixture(scope="session")
