@@ -113,9 +113,9 @@ install_java() {
 }
 
 set_up_bridge() {
-  newer_than "$state/bridge.stamp" "$home/sim-bridge" "$home/proto" || return 0
+  newer_than "$state/bridge.stamp" "$home/sim-bridge" "$home/hardware/python" "$home/proto" || return 0
   locked
-  if newer_than "$state/bridge.stamp" "$home/sim-bridge" "$home/proto"; then
+  if newer_than "$state/bridge.stamp" "$home/sim-bridge" "$home/hardware/python" "$home/proto"; then
     require python3
     touch "$state/bridge.begun"
     stage "Setting up the simulation" bridge install_bridge
@@ -127,7 +127,7 @@ set_up_bridge() {
 install_bridge() {
   set -e
   [ -x "$state/venv/bin/python" ] || python3 -m venv "$state/venv"
-  "$state/venv/bin/python" -m pip install "$home/sim-bridge[dev,ros]"
+  "$state/venv/bin/python" -m pip install "$home/hardware/python" "$home/sim-bridge[dev,ros]"
 }
 
 # Builds the book, which the server shows below /docs.

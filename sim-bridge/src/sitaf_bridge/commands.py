@@ -1,4 +1,4 @@
-"""The command line: `serve`, `describe` and `propose`."""
+"""The command line: `serve`, `describe`, `propose`, `guard` and `provide`."""
 
 import argparse
 import gc
@@ -33,6 +33,10 @@ def main(arguments: list[str] | None = None) -> int:
     options = _parser().parse_args(arguments)
     if options.command == "propose":
         return _propose(options.robot, options.into)
+    if options.command == "guard":
+        return _guard(options.listen, options.devices)
+    if options.command == "provide":
+        return _provide(options)
     return _serve(options) if options.command == "serve" else _describe(options.world)
 
 
@@ -84,7 +88,53 @@ def _parser() -> argparse.ArgumentParser:
     propose = commands.add_parser("propose", help="write a world with guessed devices for a URDF, xacro or MJCF file")
     propose.add_argument("robot", type=Path, metavar="ROBOT")
     propose.add_argument("--into", type=Path, required=True, metavar="FOLDER", help="a folder that does not exist")
+    guard = commands.add_parser(
+        "guard", help="stand between a simulator and the providers of real devices, until stdin is closed"
+    )
+    guard.add_argument("--listen", required=True, metavar="unix:/PATH")
+    guard.add_argument("--devices", type=Path, required=True, metavar="FILE", help="JSON, written by an agent")
+    provide = commands.add_parser(
+        "provide", help="serve the devices of a world as a hardware provider, which reads what the simulation says"
+    )
+    provide.add_argument("world", type=Path, metavar="WORLD.world.yaml")
+    provide.add_argument("--listen", required=True, metavar="ADDRESS", help="unix:/PATH or 127.0.0.1:PORT")
+    provide.add_argument("--device", action="append", metavar="NAME", help="only this device; may be repeated")
     return parser
+
+
+def _guard(listen: str, devices: Path) -> int:
+    ending = StopSignal()
+    ending.on_signals()
+    ending.with_stdin()
+    try:
+        from sitaf_bridge.hardware.guard import BadDevices, run  # noqa: PLC0415  # needs sitaf_hardware
+    except ImportError as error:
+        return _without_hardware(error)
+    try:
+        run(listen, devices, ending)
+    except (BadDevices, OSError) as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT
+    return OK
+
+
+def _provide(options: argparse.Namespace) -> int:
+    try:
+        from sitaf_bridge.hardware.provide import devices_of, serve  # noqa: PLC0415  # needs sitaf_hardware
+    except ImportError as error:
+        return _without_hardware(error)
+    try:
+        devices = devices_of(Catalog().world(read_world(options.world)), options.device)
+        serve(devices, options.listen)
+    except (BridgeError, OSError) as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT
+    return OK
+
+
+def _without_hardware(error: ImportError) -> int:
+    print(f"the package sitaf_hardware is missing ({error}); pip install ./hardware/python", file=sys.stderr)
+    return CANNOT_LISTEN
 
 
 def _propose(robot: Path, into: Path) -> int:

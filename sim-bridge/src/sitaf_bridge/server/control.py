@@ -12,6 +12,7 @@ from sitaf_bridge.server.operations import OPERATIONS, operate, replay
 from sitaf_bridge.server.packing import state_message
 from sitaf_bridge.server.status import answering, code_of, message_of
 from sitaf_bridge.server.wire import duration, seconds_of, source_of, world_message
+from sitaf_bridge.session.hardware import SessionHardware
 from sitaf_bridge.session.recording import Recorder
 from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.session.signals import SignalStore
@@ -39,10 +40,17 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     The methods that only run an operation in a session are added below.
     """
 
-    def __init__(self, catalog: Catalog, registry: Registry, signals: SignalStore | None = None) -> None:
+    def __init__(
+        self,
+        catalog: Catalog,
+        registry: Registry,
+        signals: SignalStore | None = None,
+        hardware: SessionHardware | None = None,
+    ) -> None:
         self._catalog = catalog
         self._registry = registry
         self._signals = signals
+        self._hardware = hardware
 
     @answering
     def GetSimulatorFeatures(
@@ -88,6 +96,10 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
         world = self._catalog.world(source_of(request.world))
         session = self._registry.create(world, request.seed, lease)
         with session.simulation() as simulation:
+            if self._hardware is not None:
+                self._hardware.attach(world)
+                session.hardware = self._hardware
+                simulation.attach(self._hardware)
             if self._signals is not None:
                 simulation.record_signals(self._signals.order.names, self._signals.order.settling)
             return pb.CreateSessionResponse(
@@ -95,14 +107,18 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
                 world=world_message(world),
                 lease=duration(session.lease_s),
                 state=state_message(simulation.state),
-                keeps_signals=self._signals is not None,
+                keeps_signals=self._signals is not None or self._hardware is not None,
             )
 
     @answering
     def KeepSignals(self, request: pb.KeepSignalsRequest, context: grpc.ServicerContext) -> pb.KeepSignalsResponse:
         """Keep the signals of a case for the agent."""
         signals = self._signals
+        if self._hardware is not None:
+            self._hardware.stop("the case ended")
         if signals is None:
+            if self._hardware is not None:
+                return pb.KeepSignalsResponse()
             raise WrongState("this endpoint records no signals")
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
             try:
@@ -127,12 +143,15 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     ) -> pb.DeleteSessionResponse:
         """Free a session."""
         self._registry.delete(request.session_id)
+        if self._hardware is not None:
+            self._hardware.stop("the session ended")
         return pb.DeleteSessionResponse()
 
     @answering
     def PrepareMany(self, request: pb.PrepareManyRequest, context: grpc.ServicerContext) -> pb.PrepareManyResponse:
         """Prepare many cases; does not use the session's state, so other calls can run at the same time."""
         with self._registry.use(request.session_id) as session:
+            session.check_simulated("PrepareMany")
             return prepare_many_response(session.world, session.seed, request, context.is_active)
 
     def Operate(

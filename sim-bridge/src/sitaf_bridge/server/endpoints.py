@@ -4,18 +4,22 @@ A component under test runs in the process of its test application and can make 
 these calls to its own session.
 """
 
+import importlib
 import os
 import re
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import grpc
 
-from sitaf_bridge.errors import Forbidden, InvalidRequest, NoSuchEndpoint
+from sitaf_bridge.errors import Forbidden, InvalidRequest, NoSuchEndpoint, Unavailable
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.hardware import VirtualHardware
 from sitaf_bridge.server.status import answering
+from sitaf_bridge.server.wire import source_of
 from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.session.signals import SignalOrder, SignalStore
 from sitaf_bridge.wire import administration_pb2 as pb
@@ -25,6 +29,9 @@ from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.driving.signals import Trace
 from sitaf_bridge.world.world import World
+
+if TYPE_CHECKING:
+    from sitaf_bridge.hardware.live import LiveHardware
 
 MAX_MESSAGE_BYTES = 64 * 1024 * 1024
 SERVER_OPTIONS = (
@@ -61,25 +68,33 @@ class Endpoint:
     """A socket with its own server, registry and threads."""
 
     def __init__(
-        self, path: Path, catalog: Catalog, lease_s: float, threads: int, order: SignalOrder | None = None
+        self,
+        path: Path,
+        catalog: Catalog,
+        lease_s: float,
+        threads: int,
+        *,
+        order: SignalOrder | None = None,
+        hardware: "LiveHardware | None" = None,
     ) -> None:
+        self.hardware = hardware
         self.signals = SignalStore(order) if order is not None else None
         self.target = f"unix:{path}"
         self._registry = Registry(default_lease_s=lease_s, max_sessions=1)
         self._pool = ThreadPoolExecutor(threads, thread_name_prefix="call")
         self._server = grpc.server(self._pool, options=SERVER_OPTIONS, maximum_concurrent_rpcs=MAX_CALLS)
-        control, hardware = (
-            SimulationControl(catalog, self._registry, self.signals),
-            VirtualHardware(self._registry, threads // 2),
-        )
+        control = SimulationControl(catalog, self._registry, self.signals, hardware)
+        virtual = VirtualHardware(self._registry, threads // 2)
         simulation_pb2_grpc.add_SimulationControlServicer_to_server(control, self._server)
-        simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(hardware, self._server)
+        simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(virtual, self._server)
         self._server.add_insecure_port(self.target)
         os.chmod(path, SOCKET_MODE)
         self._server.start()
 
     def close(self) -> bool:
         """Close the session; return whether all calls have ended."""
+        if self.hardware is not None:
+            self.hardware.close()
         stopped = self._server.stop(0)
         self._registry.close()
         self._pool.shutdown(wait=False, cancel_futures=True)
@@ -97,7 +112,9 @@ class Endpoints:
         self._lock = threading.Lock()
         self._open: dict[str, Endpoint] = {}
 
-    def open(self, name: str, digest: str, order: SignalOrder | None = None) -> str:
+    def open(
+        self, name: str, digest: str, order: SignalOrder | None = None, hardware: "LiveHardware | None" = None
+    ) -> str:
         """Open an endpoint and return its target. Raises InvalidRequest."""
         if not NAME.fullmatch(name):
             raise InvalidRequest(f"name: {name!r} is not 1 to 16 letters and digits")
@@ -107,8 +124,22 @@ class Endpoints:
             if len(self._open) >= MAX_ENDPOINTS:
                 raise InvalidRequest(f"name: {MAX_ENDPOINTS} endpoints are open, which is the limit; close one first")
             world = OneWorld(self._catalog, digest)
-            self._open[name] = Endpoint(self._folder / name, world, self._lease_s, self._threads, order)
+            self._open[name] = Endpoint(
+                self._folder / name, world, self._lease_s, self._threads, order=order, hardware=hardware
+            )
             return self._open[name].target
+
+    def check(self, source: WorldSource) -> World:
+        """The world of a source. Raises BadWorld."""
+        return self._catalog.world(source)
+
+    def hardware(self, name: str) -> "LiveHardware | None":
+        """The devices of an endpoint that are not simulated. Raises NoSuchEndpoint."""
+        with self._lock:
+            endpoint = self._open.get(name)
+        if endpoint is None:
+            raise NoSuchEndpoint(f"name: there is no endpoint {name!r}")
+        return endpoint.hardware
 
     def take_signals(self, name: str, no: int) -> tuple[Trace | None, int]:
         """Remove the signals of a case; see `SignalStore.take`. Raises NoSuchEndpoint, InvalidRequest."""
@@ -147,7 +178,42 @@ class Administration(pb_grpc.SimulatorAdministrationServicer):
         """Open an endpoint."""
         order = SignalOrder(tuple(request.signals.names), request.signals.settling)
         wanted = order if request.HasField("signals") else None
-        return pb.OpenEndpointResponse(target=self._endpoints.open(request.name, request.world_digest, wanted))
+        hardware = _orders().ordered(request.hardware) if request.HasField("hardware") else None
+        target = self._endpoints.open(request.name, request.world_digest, wanted, hardware)
+        return pb.OpenEndpointResponse(target=target)
+
+    @answering
+    def CheckHardware(
+        self, request: pb.CheckHardwareRequest, context: grpc.ServicerContext
+    ) -> pb.CheckHardwareResponse:
+        """Compare devices that are not simulated with the world."""
+        world = self._endpoints.check(source_of(request.world))
+        orders = _orders()
+        guard = orders.guard_of(request.hardware)
+        try:
+            texts = orders.check(world, orders.backends_of(request.hardware, world), guard, request.parameters)
+        finally:
+            if guard is not None:
+                guard.close()
+        return pb.CheckHardwareResponse(descriptions=texts)
+
+    @answering
+    def TakeHardwareReport(
+        self, request: pb.TakeHardwareReportRequest, context: grpc.ServicerContext
+    ) -> pb.TakeHardwareReportResponse:
+        """End a case and return what was measured."""
+        hardware = self._endpoints.hardware(request.name)
+        if hardware is None:
+            raise InvalidRequest(f"name: the endpoint {request.name} has simulated devices only")
+        return _orders().report_message(hardware.report(request.case_no))
+
+    @answering
+    def StopHardware(self, request: pb.StopHardwareRequest, context: grpc.ServicerContext) -> pb.StopHardwareResponse:
+        """Stop the devices."""
+        hardware = self._endpoints.hardware(request.name)
+        if hardware is not None:
+            hardware.stop("the test application ended")
+        return pb.StopHardwareResponse()
 
     @answering
     def TakeSignals(self, request: pb.TakeSignalsRequest, context: grpc.ServicerContext) -> pb.TakeSignalsResponse:
@@ -170,3 +236,14 @@ class Administration(pb_grpc.SimulatorAdministrationServicer):
     ) -> pb.CloseEndpointResponse:
         """Close an endpoint."""
         return pb.CloseEndpointResponse(idle=self._endpoints.close_one(request.name))
+
+
+def _orders() -> ModuleType:
+    """The module that needs `sitaf_hardware`, which only builds with other than simulated devices need."""
+    try:
+        return importlib.import_module("sitaf_bridge.hardware.orders")
+    except ImportError as error:
+        raise Unavailable(
+            f"hardware: the package sitaf_hardware is missing where the simulator is installed ({error}); "
+            "pip install ./hardware/python"
+        ) from error

@@ -78,6 +78,7 @@ def replay(session: Session, simulation: Simulation, recording: pb.Recording, is
 
     Raises WrongState, InvalidRequest.
     """
+    session.check_simulated("replaying a recording")
     if session.recorder is not None:
         raise WrongState("this session is recording; stop the recording first")
     if (recording.world_digest, recording.seed) != (session.world.digest, session.seed):
@@ -111,7 +112,11 @@ def _prepare(
     session: Session, simulation: Simulation, request: pb.PrepareRequest, is_active: IsActive
 ) -> pb.PrepareResponse:
     session.preparations.prepared(request.case_no)
+    if session.hardware is not None:
+        session.hardware.begin(request.case_no)
     state = simulation.prepare(dict(request.parameters), request.settle_ns, is_active, request.call_after_ns)
+    if session.hardware is not None:
+        session.hardware.settled()
     return pb.PrepareResponse(state=state_message(state))
 
 
@@ -185,6 +190,7 @@ def _snapshot(
 def _restore(
     session: Session, simulation: Simulation, request: pb.RestoreSnapshotRequest, _wanted: IsActive
 ) -> pb.RestoreSnapshotResponse:
+    session.check_simulated("restoring a snapshot")
     state = simulation.restore(session.snapshot(request.snapshot_id))
     session.preparations.reset()
     return pb.RestoreSnapshotResponse(state=state_message(state))

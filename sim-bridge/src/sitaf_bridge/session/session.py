@@ -4,7 +4,8 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from sitaf_bridge.errors import Cancelled, InvalidRequest, LimitReached, NoSuchSession, TimeReset
+from sitaf_bridge.errors import Cancelled, InvalidRequest, LimitReached, NoSuchSession, TimeReset, WrongState
+from sitaf_bridge.session.hardware import SessionHardware
 from sitaf_bridge.session.preparations import Preparations
 from sitaf_bridge.session.recording import Recorder
 from sitaf_bridge.session.statistics import Statistics
@@ -31,6 +32,8 @@ class Session:
         self.seed = seed
         self.lease_s = lease_s
         self.recorder: Recorder | None = None
+        # Of an endpoint with devices that are not simulated.
+        self.hardware: SessionHardware | None = None
         self.preparations = Preparations()
         self.statistics = statistics or Statistics()
         self._simulation = Simulation(world, seed)
@@ -72,6 +75,11 @@ class Session:
         with self._changed:
             self._closed = True
             self._changed.notify_all()
+
+    def check_simulated(self, what: str) -> None:
+        """Raise WrongState if a device is not simulated."""
+        if self.hardware is not None:
+            raise WrongState(f"{what} needs simulated devices only, but this session has real or recorded ones")
 
     # The methods below require the simulation's lock.
 

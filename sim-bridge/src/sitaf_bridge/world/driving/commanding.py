@@ -44,13 +44,18 @@ class Commanding:
         """Restore a copy."""
         self._followed = dict(memory)
 
-    def give(self, commands: Sequence[Command], now: Moment) -> None:
-        """Run the commands in order. Raises InvalidRequest, UnreachableValue for the first invalid one."""
+    def give(self, commands: Sequence[Command], now: Moment) -> Sequence[Command]:
+        """Run the commands in order; returns what the actuators follow of them.
+
+        Raises InvalidRequest, UnreachableValue for the first invalid one.
+        """
+        given: list[Command] = []
         for command in commands:
             bank = _bank(command, now.world)
             if not now.faults.of_commands.get(command.device):
                 bank.write(now.model, now.data, command)
                 self._followed[command.device] = command
+                given.append(command)
                 continue
             # A command that the actuator ignores is refused like any other.
             control, knobs = now.data.ctrl.copy(), now.data.userdata.copy()
@@ -60,6 +65,8 @@ class Commanding:
             if followed is not None:
                 self._followed[command.device] = followed
                 self._write(command.device, now)
+                given.append(followed)
+        return given
 
     def refresh(self, devices: Iterable[str], now: Moment) -> None:
         """Let the actuators of devices follow the faults that began or ended at a step."""

@@ -1,19 +1,21 @@
 """A world with its time: advances it, and observes it at each step."""
 
 import copy
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 import mujoco
 
 from sitaf_bridge.errors import Cancelled, Diverged
-from sitaf_bridge.world.devices import Reading
+from sitaf_bridge.world.devices import Command, Reading
 from sitaf_bridge.world.driving.commanding import Commanding, Moment
 from sitaf_bridge.world.driving.divergence import Divergence
 from sitaf_bridge.world.driving.integration import integration_of
 from sitaf_bridge.world.driving.motion import MotionRecording
 from sitaf_bridge.world.driving.signals import SignalRecording
 from sitaf_bridge.world.parameters.settings import INTEGRATION, Setting
+from sitaf_bridge.world.sensing.fault_names import is_fault
 from sitaf_bridge.world.sensing.fault_schedule import FaultSchedule
+from sitaf_bridge.world.sensing.live import LiveDevices
 from sitaf_bridge.world.sensing.sensing import Sensing
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
@@ -57,6 +59,25 @@ class RunningWorld:
             b.setting for binds in world.binds.values() for b in binds if b.setting.edits_model
         ]
 
+    def attach(self, live: LiveDevices) -> WorldState:
+        """Use real or recorded devices; call it before the first case and before `record_signals`."""
+        self._sensing.live = live
+        self._state = self._observe()
+        return self._state
+
+    def _give(self, commands: Sequence[Command]) -> None:
+        followed = self._commanding.give(commands, self._now())
+        if self._sensing.live is not None and followed:
+            self._sensing.live.command(followed)
+        if self._signals is not None:
+            self._signals.give(commands)
+
+    def _set_live(self, values: Mapping[str, float]) -> None:
+        """Set the parameters of the environment of real devices, last, because this cannot be undone."""
+        live = self._sensing.live
+        if live is not None:
+            live.set({name: value for name, value in values.items() if not is_fault(name)})
+
     def _settings(self) -> tuple[float, ...]:
         return tuple(setting.get(self._model, self._data) for setting in self._model_settings)
 
@@ -96,11 +117,50 @@ class RunningWorld:
             integrate(model, data)
             self._step += 1
 
-    def _run(self, steps: int, is_active: Callable[[], bool], settles: bool = False) -> None:
-        signals = self._signals
-        if signals is not None and steps > 0 and (signals.settling or not settles):
-            self._run_sampled(signals, steps, is_active)
+    def _run_live(
+        self, live: LiveDevices, steps: int, is_active: Callable[[], bool], signals: SignalRecording | None
+    ) -> None:
+        """Advance time step by step with the wall clock."""
+        if steps == 0:
             return
+        if signals is not None and self._step == 0:
+            self._observe()
+            self._sample()
+        every = self._sensing.keeps_past(self._data, self._step)
+        changes = self._sensing.schedule.changes
+        live.begin_run(self._step)
+        for count in range(steps):
+            if count % 50 == 0 and not is_active():
+                raise Cancelled("the caller disconnected; the step was undone")
+            if self._step in changes:
+                self._refresh_commands()
+            mujoco.mj_step(self._model, self._data)
+            self._step += 1
+            if self._divergence.seen():
+                return
+            live.pace(self._step)
+            if count == steps - 1:
+                break
+            if signals is not None or every or self._step in changes or self._motion is not None:
+                mujoco.mj_forward(self._model, self._data)
+                if signals is not None:
+                    signals.sample(self._model, self._data, self._step, self._sensing)
+                if every or self._step in changes:
+                    self._read()
+                if self._motion is not None and self._motion.is_due(self._step):
+                    self._observe()
+        live.end_run(self._step)
+
+    def _run(self, steps: int, is_active: Callable[[], bool], settles: bool = False) -> None:
+        signals = self._signals if self._signals is not None and (self._signals.settling or not settles) else None
+        if self._sensing.live is not None:
+            self._run_live(self._sensing.live, steps, is_active, signals)
+        elif signals is not None and steps > 0:
+            self._run_sampled(signals, steps, is_active)
+        else:
+            self._run_unsampled(steps, is_active)
+
+    def _run_unsampled(self, steps: int, is_active: Callable[[], bool]) -> None:
         left, motion = steps, self._motion
         every = left > 0 and self._sensing.keeps_past(self._data, self._step)
         schedule = self._sensing.schedule

@@ -13,6 +13,7 @@ from sitaf_bridge.world.description.observation import DeviceNumber
 from sitaf_bridge.world.description.yaml_block import Problems
 from sitaf_bridge.world.devices import KINDS, Command
 from sitaf_bridge.world.observing import Measure
+from sitaf_bridge.world.sensing.live import SHADOW_ERROR, LiveDevices
 from sitaf_bridge.world.sensing.sensing import Sensing
 from sitaf_bridge.world.world import World, bind_devices
 
@@ -39,8 +40,16 @@ class Trace:
 class SignalRecording:
     """Records the named signals of each case; `settling` also while the world settles. Raises InvalidRequest."""
 
-    def __init__(self, names: Sequence[str], settling: bool, world: World, most: int = MAX_NUMBERS) -> None:
+    def __init__(
+        self,
+        names: Sequence[str],
+        settling: bool,
+        world: World,
+        most: int = MAX_NUMBERS,
+        live: LiveDevices | None = None,
+    ) -> None:
         self.settling = settling
+        self._live = live
         self._names = tuple(names)
         self._most_rows = most // max(1, len(self._names))
         self._most = most
@@ -101,6 +110,9 @@ class SignalRecording:
         numbers = _numbers(world)
         devices = {numbers[name].device: None for name in self._names if name in numbers}
         declared = world.description.devices
+        live = self._live
+        shadows = {} if live is None else {f"{device}.{SHADOW_ERROR}": device for device in live.shadows()}
+        devices.update({shadows[name]: None for name in self._names if name in shadows})
         banks = bind_devices(world.model, [declared[name] for name in devices], Problems(world.source.description))
         self._banks = tuple(banks.values())
         # In the order in which the banks are read.
@@ -110,6 +122,8 @@ class SignalRecording:
         for name in self._names:
             if name in numbers:
                 measures.append(_reading(positions[numbers[name].device], numbers[name].field))
+            elif live is not None and name in shadows:
+                measures.append(_shadow(live, shadows[name]))
             elif name == TIME:
                 measures.append(lambda _model, data, _readings: data.time)
             elif name in world.observations:
@@ -117,7 +131,7 @@ class SignalRecording:
             elif name.endswith(f".{COMMAND}") and name.count(".") == 2 and name.split(".")[0] in commanded:
                 measures.append(self._command(name))
             else:
-                known = ", ".join(list(dict.fromkeys((TIME, *numbers, *world.observations)))[:100])
+                known = ", ".join(list(dict.fromkeys((TIME, *numbers, *shadows, *world.observations)))[:100])
                 raise InvalidRequest(f"signals: no signal {name!r}; signals of this world: {known}")
         self._measures = tuple(measures)
 
@@ -151,6 +165,10 @@ def _signal(field: str) -> str:
     """The name of a field in formulas, which write the elements of lists with brackets."""
     head, _, tail = field.rpartition(".")
     return f"{head}[{tail}]" if tail.isdecimal() else field
+
+
+def _shadow(live: LiveDevices, device: str) -> Measure:
+    return lambda _model, _data, _readings: live.shadow_error(device)
 
 
 def _reading(position: int, index: int) -> Measure:

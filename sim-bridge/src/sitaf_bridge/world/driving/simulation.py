@@ -67,6 +67,7 @@ class Simulation(RunningWorld):
         def changed() -> None:
             self._apply(values)
             self._schedule(values, self._step)
+            self._set_live(values)
 
         return self._all_or_nothing(changed)
 
@@ -109,6 +110,8 @@ class Simulation(RunningWorld):
         def stepped() -> None:
             self._apply(values or {})
             self._schedule(values or {}, self._step)
+            if values:
+                self._set_live(values)
             self._give(commands)
             self._run(steps, is_active)
 
@@ -132,6 +135,7 @@ class Simulation(RunningWorld):
         def prepared() -> None:
             self._restore_initial({**self._defaults, **values})
             self._schedule(values, call)
+            self._set_live({**self._defaults, **values})
             self._run(steps, is_active, settles=True)
 
         state = self._all_or_nothing(prepared)
@@ -148,9 +152,12 @@ class Simulation(RunningWorld):
             raise InvalidRequest("limit_ns must be positive")
         judge = bind_condition(condition, self.world, self._model)
         met = False
+        live = self._sensing.live
 
         def advanced() -> None:
             nonlocal met
+            if live is not None:
+                live.begin_run(self._step)
             met = judge(self._data, self.time_ns, self._read)
             for count in range(steps):
                 if met or self._divergence.seen():
@@ -161,6 +168,8 @@ class Simulation(RunningWorld):
                     self._refresh_commands()
                 mujoco.mj_step(self._model, self._data)
                 self._step += 1
+                if live is not None:
+                    live.pace(self._step)
                 mujoco.mj_forward(self._model, self._data)
                 self._sample()
                 if self._sensing.keeps_past(self._data, self._step) or self._step in self._sensing.schedule.changes:
@@ -235,7 +244,8 @@ class Simulation(RunningWorld):
 
     def record_signals(self, names: Sequence[str], settling: bool) -> None:
         """Start to sample signals in each step, also while the world settles if `settling`. Raises InvalidRequest."""
-        self._signals = SignalRecording(names, settling, self.world)
+        live = self._sensing.live
+        self._signals = SignalRecording(names, settling, self.world, live=live)
 
     def signals(self, call_ns: int) -> Trace:
         """The samples of the current case, whose call began at this time. Raises InvalidRequest, LimitReached."""
@@ -322,11 +332,6 @@ class Simulation(RunningWorld):
             self._sensing.follow(before.updated(self._pristine, self._values, faults, step))
             self._refresh_commands(before)
 
-    def _give(self, commands: Sequence[Command]) -> None:
-        self._commanding.give(commands, self._now())
-        if self._signals is not None:
-            self._signals.give(commands)
-
     def _restore_initial(self, values: Mapping[str, float]) -> None:
         """Restore the initial state with these parameters; model edits are undone by setting their values."""
         if self.world is not self._pristine:
@@ -346,6 +351,8 @@ class Simulation(RunningWorld):
 
     def _restore_defaults(self) -> WorldState:
         """Restore the initial state with default values from a copy, nine times as fast for a small world."""
+        if self._sensing.live is not None:
+            return self._all_or_nothing(lambda: self._restore_initial(self._defaults))
         if self.world is not self._pristine:
             self._enter(self._pristine)
         self._begun.restore(self._model, self._data, self._model_settings)

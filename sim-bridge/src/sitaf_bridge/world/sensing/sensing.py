@@ -12,6 +12,7 @@ from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.world.devices import KINDS, KNOBS, Bank, DeviceDeclaration, Reading
 from sitaf_bridge.world.sensing.fault_schedule import FaultSchedule, ScheduledFault
 from sitaf_bridge.world.sensing.faults import MAX_FAULTS, Fault, FaultKind, Values, apply_fault, check_fault
+from sitaf_bridge.world.sensing.live import LiveDevices
 from sitaf_bridge.world.sensing.noise import gaussian, stream
 from sitaf_bridge.world.world import World
 
@@ -43,6 +44,8 @@ class Sensing:
         self._past: dict[str, list[tuple[int, tuple[float, ...]]]] = {}
         self.schedule = FaultSchedule()
         self._held: dict[str, tuple[float, ...]] = {}
+        # Replaces readings before noise, delay and faults; None if all devices are simulated.
+        self.live: LiveDevices | None = None
 
     def reset(self) -> None:
         """Remove all faults and past readings."""
@@ -117,17 +120,21 @@ class Sensing:
             actual += [Reading(device, ()) for device in devices if device.kind in without and device.kind in banks]
         if len(self.world.banks) > 1:
             actual.sort(key=lambda reading: -reading.device.slot)
-        return tuple(self._perceived(model, data, step, actual))
+        return tuple(self._perceived(model, data, step, self._real(step, actual)))
 
     def read_banks(
         self, model: mujoco.MjModel, data: mujoco.MjData, step: int, banks: Sequence[Bank]
     ) -> Sequence[Reading]:
         """The readings of the devices of these banks, in their order, from data after `mj_forward`."""
-        return self._perceived(model, data, step, [reading for bank in banks for reading in bank.read(model, data)])
+        actual = [reading for bank in banks for reading in bank.read(model, data)]
+        return self._perceived(model, data, step, self._real(step, actual))
 
     def faulty(self, step: int, readings: Sequence[Reading]) -> Sequence[Reading]:
         """With scheduled faults only, of devices without noise and delay."""
         return [self._faulty(reading.device, step, reading.values, reading) for reading in readings]
+
+    def _real(self, step: int, actual: Sequence[Reading]) -> Sequence[Reading]:
+        return actual if self.live is None else self.live.perceived(step, actual)
 
     def _perceived(
         self, model: mujoco.MjModel, data: mujoco.MjData, step: int, actual: Sequence[Reading]
