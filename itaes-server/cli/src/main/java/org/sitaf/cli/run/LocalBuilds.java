@@ -9,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -19,6 +20,7 @@ import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.build.OfferedDevices;
 import org.sitaf.agent.build.RecordingOrder;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
@@ -70,12 +72,17 @@ public final class LocalBuilds implements AutoCloseable {
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
-            Simulator.started(
-                installation.bridgeCommand(), directory.resolve("simulator"), sandbox, withWorld),
-            new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
-            sandbox,
-            coverage,
-            "");
+                Simulator.started(
+                    installation.bridgeCommand(),
+                    directory.resolve("simulator"),
+                    sandbox,
+                    withWorld),
+                new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
+                sandbox,
+                coverage,
+                "")
+            // The user of this machine runs an activity of his own choice.
+            .offering(new OfferedDevices(Map.of(), true));
     this.folders = folders;
   }
 

@@ -10,6 +10,7 @@ import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.FailureGroup;
+import org.sitaf.core.verdict.HardwareReport;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.RelationCount;
 import org.sitaf.core.verdict.Summary;
@@ -141,6 +142,8 @@ public final class ResultTable {
           number(summary.times().standardDeviation()));
     }
     RepeatedCallsText.print(result, out);
+    HardwareReport.of(result.cases())
+        .ifPresent(report -> out.println("devices: " + Printable.line(report.text())));
     printNotes(result, out);
     Coverage coverage = result.coverage();
     if (coverage != null && coverage.statement().isPresent()) {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.hardware.DeviceBackend;
 import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.description.DataType;
@@ -182,6 +183,7 @@ public record Activity(
   /** The names of all signals that are single values, for the trajectory conditions of a model. */
   public List<String> signals(TestModel model) {
     List<String> all = new ArrayList<>(world == null ? List.of() : WorldSignals.of(world));
+    all.addAll(DeviceBackend.signals(profile.hardware()));
     all.addAll(messageSignals());
     all.addAll(PortSignals.of(outputPorts));
     if (model.sequence() != null && !all.contains(SequenceSpec.STEP)) {

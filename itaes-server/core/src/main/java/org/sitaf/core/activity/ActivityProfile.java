@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.hardware.DeviceBackend;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.timing.Timing;
 
@@ -28,6 +29,7 @@ import org.sitaf.core.timing.Timing;
  * @param timing how often the call of each case is repeated, unless the model says; null for never
  * @param sanitizers with which a C++ component and its test application are compiled
  * @param ros what only ROS 2 nodes have; null for any other component
+ * @param hardware the devices that are not simulated
  */
 public record ActivityProfile(
     String name,
@@ -45,6 +47,7 @@ public record ActivityProfile(
     Set<Sanitizer> sanitizers,
     @Nullable Timing timing,
     @Nullable RosNode ros,
+    List<DeviceBackend> hardware,
     Limits limits) {
   public ActivityProfile {
     Objects.requireNonNull(name);
@@ -57,6 +60,7 @@ public record ActivityProfile(
     libraries = List.copyOf(libraries);
     idlIncludes = List.copyOf(idlIncludes);
     models = List.copyOf(models);
+    hardware = List.copyOf(hardware);
     sanitizers = java.util.Collections.unmodifiableSet(new TreeSet<>(sanitizers));
   }
 
@@ -105,6 +109,7 @@ public record ActivityProfile(
         newSanitizers,
         newTiming,
         ros,
+        hardware,
         limits);
   }
 
@@ -229,12 +234,23 @@ public record ActivityProfile(
    * @param memoryMiB maximum memory of the test application
    * @param preparation maximum wall-clock time for fetching, building and installing the packages
    *     of the component
+   * @param jitter maximum time by which simulation time is late on the wall clock in a case with
+   *     real devices; beyond it the case is not judged
    */
   public record Limits(
-      Duration caseWall, Duration caseSimulation, int memoryMiB, Duration preparation) {
+      Duration caseWall,
+      Duration caseSimulation,
+      int memoryMiB,
+      Duration preparation,
+      Duration jitter) {
     /** The default limits. */
     public static final Limits DEFAULT =
-        new Limits(Duration.ofSeconds(10), Duration.ofSeconds(60), 1024, Duration.ofMinutes(5));
+        new Limits(
+            Duration.ofSeconds(10),
+            Duration.ofSeconds(60),
+            1024,
+            Duration.ofMinutes(5),
+            Duration.ofMillis(20));
 
     public Limits {
       if (caseWall.isZero()
@@ -243,14 +259,16 @@ public record ActivityProfile(
           || caseSimulation.isNegative()
           || memoryMiB < 1
           || preparation.isZero()
-          || preparation.isNegative()) {
+          || preparation.isNegative()
+          || jitter.isZero()
+          || jitter.isNegative()) {
         throw new IllegalArgumentException("limits must be greater than 0");
       }
     }
 
     /** The same limits with another time for a case. */
     public Limits withCaseWall(Duration limit) {
-      return new Limits(limit, caseSimulation, memoryMiB, preparation);
+      return new Limits(limit, caseSimulation, memoryMiB, preparation, jitter);
     }
   }
 }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.hardware.HardwareReader;
 import org.sitaf.core.activity.lock.ActivityLock;
 import org.sitaf.core.activity.ros.NodeSources;
 import org.sitaf.core.activity.ros.RosInterfaces;
@@ -72,6 +73,9 @@ final class ActivityReader {
     requireFew("provided", profile.provided());
     requireFew("required", profile.required());
     WorldDescription world = world(profile.world());
+    if (world != null) {
+      HardwareReader.verify(profile.hardware(), world, files, PROFILE, diagnostics);
+    }
     List<InterfaceDescription> services = interfaces(profile.provided(), "provided", profile);
     RosInterfaces ros = profile.ros() == null ? null : ros(profile, profile.ros(), world);
     List<InterfaceDescription> provided = ros == null ? services : ros.provided(services);

@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.activity.hardware.DeviceBackend;
 import org.sitaf.core.activity.ros.MessageSignals;
 import org.sitaf.core.activity.ros.RosElements;
 import org.sitaf.core.activity.ros.RosNode;
@@ -88,6 +89,7 @@ final class ModelAgainstActivity {
     var verification =
         new ModelAgainstActivity(model, required, world, outputPorts, profile, messages);
     verification.timing();
+    verification.realDevices();
     if (model.sequence() != null) {
       verification.initialInputs();
       verification.trajectories();
@@ -111,6 +113,18 @@ final class ModelAgainstActivity {
     Timing timing = model.timing();
     if (timing != null && profile.component().lifeCycle() == LifeCycle.SUITE) {
       error(timing.line(), "timing", ProfileReader.TIMING_NEEDS_CASE);
+    }
+  }
+
+  /** A second run would use the readings of another moment. */
+  private void realDevices() {
+    if (!model.relations().isEmpty()
+        && profile.hardware().stream().anyMatch(DeviceBackend::isReal)) {
+      error(
+          0,
+          "relation_list",
+          "compares two runs, but the real devices of activity.yaml (hardware) differ between them;"
+              + " simulate these devices");
     }
   }
 
@@ -321,6 +335,7 @@ final class ModelAgainstActivity {
           model,
           Stream.of(
                   WorldSignals.of(world),
+                  DeviceBackend.signals(profile.hardware()),
                   sent == null ? List.<String>of() : MessageSignals.of(sent),
                   PortSignals.of(outputPorts),
                   model.sequence() == null ? List.<String>of() : List.of(SequenceSpec.STEP))

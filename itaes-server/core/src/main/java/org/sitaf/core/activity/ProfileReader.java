@@ -17,6 +17,7 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.activity.ActivityProfile.Sanitizer;
+import org.sitaf.core.activity.hardware.HardwareReader;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.activity.ros.RosNodeReader;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -46,6 +47,7 @@ final class ProfileReader {
           "sanitize",
           "timing",
           "limits",
+          "hardware",
           "topics");
   private static final Set<String> COMPONENT_ENTRIES =
       Set.of(
@@ -137,6 +139,7 @@ final class ProfileReader {
         sanitizers(root, component, harness),
         timing(root, component),
         node == null ? null : node.withServices(services),
+        HardwareReader.read(root),
         root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
   }
 
@@ -365,12 +368,15 @@ final class ProfileReader {
   }
 
   private static Limits limits(YamlMapping entry) {
-    entry.allowOnly(Set.of("case_wall_s", "case_sim_s", "memory_mb", "prepare_s"));
+    entry.allowOnly(Set.of("case_wall_s", "case_sim_s", "memory_mb", "prepare_s", "jitter_ms"));
     return new Limits(
         seconds(entry, "case_wall_s", Limits.DEFAULT.caseWall()),
         seconds(entry, "case_sim_s", Limits.DEFAULT.caseSimulation()),
         (int) positive(entry, "memory_mb", Limits.DEFAULT.memoryMiB()),
-        seconds(entry, "prepare_s", Limits.DEFAULT.preparation()));
+        seconds(entry, "prepare_s", Limits.DEFAULT.preparation()),
+        Duration.ofNanos(
+            Math.round(
+                positive(entry, "jitter_ms", Limits.DEFAULT.jitter().toNanos() / 1e6) * 1e6)));
   }
 
   private static Duration seconds(YamlMapping entry, String name, Duration otherwise) {

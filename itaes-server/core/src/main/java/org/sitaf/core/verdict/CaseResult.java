@@ -18,6 +18,7 @@ import org.sitaf.core.timing.RepeatedCalls;
  * @param message why the verdict is not PASS; empty otherwise
  * @param notes what the component did that the test does not look at
  * @param steps of a sequence; empty if the case is one call
+ * @param hardware what was measured with devices that are not simulated; null if all are
  */
 public record CaseResult(
     int no,
@@ -32,7 +33,8 @@ public record CaseResult(
     @Nullable RepeatedCalls repeated,
     String message,
     List<String> notes,
-    List<StepResult> steps) {
+    List<StepResult> steps,
+    @Nullable HardwareReport hardware) {
   public CaseResult {
     Objects.requireNonNull(verdict);
     Objects.requireNonNull(message);
@@ -45,6 +47,38 @@ public record CaseResult(
     relations = relations == null ? List.of() : List.copyOf(relations);
     notes = notes == null ? List.of() : List.copyOf(notes);
     steps = steps == null ? List.of() : List.copyOf(steps);
+  }
+
+  /** A result with simulated devices. */
+  public CaseResult(
+      int no,
+      Verdict verdict,
+      List<String> values,
+      List<NamedValue> expected,
+      List<NamedValue> actual,
+      StubCalls calls,
+      List<TrajectoryResult> trajectories,
+      List<RelationResult> relations,
+      @Nullable ProcessingTime time,
+      @Nullable RepeatedCalls repeated,
+      String message,
+      List<String> notes,
+      List<StepResult> steps) {
+    this(
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        relations,
+        time,
+        repeated,
+        message,
+        notes,
+        steps,
+        null);
   }
 
   /** A result without steps. */
@@ -150,7 +184,8 @@ public record CaseResult(
         repeated,
         message,
         found,
-        steps);
+        steps,
+        hardware);
   }
 
   /** A copy with the steps of a sequence. */
@@ -168,7 +203,27 @@ public record CaseResult(
         repeated,
         message,
         notes,
-        executed);
+        executed,
+        hardware);
+  }
+
+  /** A copy with what was measured with devices that are not simulated. */
+  public CaseResult with(HardwareReport measured) {
+    return new CaseResult(
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        relations,
+        time,
+        repeated,
+        message,
+        notes,
+        steps,
+        measured);
   }
 
   /** A copy with the results of relations. */
@@ -206,7 +261,8 @@ public record CaseResult(
         newRepeated,
         newMessage,
         notes,
-        steps);
+        steps,
+        hardware);
   }
 
   /**

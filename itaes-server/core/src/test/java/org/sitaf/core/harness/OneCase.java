@@ -115,6 +115,7 @@ public record OneCase(
         Set.of(),
         null,
         null,
+        List.of(),
         Limits.DEFAULT);
   }
 }

@@ -248,7 +248,13 @@ public final class BuildRun {
           execute(
               request,
               early,
-              record -> signals.judge(assembler, record, prepared.simulator()),
+              record ->
+                  prepared
+                      .hardware()
+                      .judged(
+                          assembler,
+                          signals.judge(assembler, record, prepared.simulator()),
+                          prepared.simulator()),
               relations.recordings(),
               log);
       signals.report(log);

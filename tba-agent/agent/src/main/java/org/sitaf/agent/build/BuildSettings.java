@@ -21,6 +21,7 @@ import org.sitaf.agent.toolchain.debug.DebugOrder;
  * @param atMost limit for the duration of a build, regardless of its own limits
  * @param variation of its processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
  * @param debugging the order to debug the first process; null for none
+ * @param devices the real devices that builds may use
  */
 public record BuildSettings(
     Simulator simulator,
@@ -33,7 +34,8 @@ public record BuildSettings(
     @Nullable SignalLimits kept,
     Duration atMost,
     int variation,
-    @Nullable DebugOrder debugging) {
+    @Nullable DebugOrder debugging,
+    OfferedDevices devices) {
   /** Default limit for the duration of a build. */
   public static final Duration DEFAULT_LIMIT = Duration.ofHours(12);
 
@@ -45,6 +47,7 @@ public record BuildSettings(
     Objects.requireNonNull(toolchains);
     Objects.requireNonNull(sandbox);
     Objects.requireNonNull(agent);
+    Objects.requireNonNull(devices);
     if (atMost.isZero() || atMost.isNegative()) {
       throw new IllegalArgumentException("the limit of a build's duration must be positive");
     }
@@ -54,7 +57,35 @@ public record BuildSettings(
   public BuildSettings(
       Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
     this(
-        simulator, toolchains, sandbox, coverage, agent, null, false, null, DEFAULT_LIMIT, 0, null);
+        simulator,
+        toolchains,
+        sandbox,
+        coverage,
+        agent,
+        null,
+        false,
+        null,
+        DEFAULT_LIMIT,
+        0,
+        null,
+        OfferedDevices.NONE);
+  }
+
+  /** The same settings with real devices. */
+  public BuildSettings offering(OfferedDevices offered) {
+    return new BuildSettings(
+        simulator,
+        toolchains,
+        sandbox,
+        coverage,
+        agent,
+        recordings,
+        signals,
+        kept,
+        atMost,
+        variation,
+        debugging,
+        offered);
   }
 
   /** The same settings with recordings. */
@@ -70,7 +101,8 @@ public record BuildSettings(
         kept,
         atMost,
         variation,
-        debugging);
+        debugging,
+        devices);
   }
 
   /** The same settings with the signals of each case. */
@@ -86,7 +118,8 @@ public record BuildSettings(
         kept,
         atMost,
         variation,
-        debugging);
+        debugging,
+        devices);
   }
 
   /** The same settings with signals that are kept for a server. */
@@ -102,7 +135,8 @@ public record BuildSettings(
         limits,
         atMost,
         variation,
-        debugging);
+        debugging,
+        devices);
   }
 
   /** The same settings with another limit for the duration. */
@@ -118,7 +152,8 @@ public record BuildSettings(
         kept,
         limit,
         variation,
-        debugging);
+        debugging,
+        devices);
   }
 
   /** The same settings with or without coverage. */
@@ -134,7 +169,8 @@ public record BuildSettings(
         kept,
         atMost,
         variation,
-        debugging);
+        debugging,
+        devices);
   }
 
   /** The same settings with another variation of the processes. */
@@ -150,7 +186,8 @@ public record BuildSettings(
         kept,
         atMost,
         number,
-        debugging);
+        debugging,
+        devices);
   }
 
   /**
@@ -169,6 +206,7 @@ public record BuildSettings(
         kept,
         DEBUGGING_LIMIT,
         variation,
-        order);
+        order,
+        devices);
   }
 }

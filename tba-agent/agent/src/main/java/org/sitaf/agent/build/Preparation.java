@@ -40,9 +40,14 @@ record Preparation(
    * @param simulator closed with the build; null if the activity has no world
    * @param bridge version of the simulator; empty if the activity has no world
    * @param signals of the cases, for trajectory conditions
+   * @param hardware the devices that are not simulated
    */
   record Prepared(
-      @Nullable World world, @Nullable BuildSimulator simulator, String bridge, CaseSignals signals)
+      @Nullable World world,
+      @Nullable BuildSimulator simulator,
+      String bridge,
+      CaseSignals signals,
+      CaseHardware hardware)
       implements AutoCloseable {
     @Override
     public void close() {
@@ -69,8 +74,9 @@ record Preparation(
     }
     String world = application.activity().profile().world();
     CaseSignals signals = new CaseSignals(application, settings, listener);
+    CaseHardware hardware = new CaseHardware(application, settings.devices());
     if (world == null) {
-      return new Prepared(null, null, "", signals);
+      return new Prepared(null, null, "", signals, hardware);
     }
     int slash = world.lastIndexOf('/');
     FileTree folder = application.activity().files().below(world.substring(0, slash + 1));
@@ -82,12 +88,14 @@ record Preparation(
       String version = simulator.version();
       long stepNanos = simulator.check(world.substring(slash + 1), worldFiles, saturations());
       signals.begin(simulator, stepNanos);
+      hardware.begin(simulator, log);
       log.remark("world " + world + " on " + version);
       log.remark(simulator.description());
       requireReachable(simulator.target(), log);
       Path description = directory.resolve("activity").resolve(world);
       prepared = true;
-      return new Prepared(new World(description, simulator::open), simulator, version, signals);
+      return new Prepared(
+          new World(description, simulator::open), simulator, version, signals, hardware);
     } catch (WorldException e) {
       String message = String.valueOf(e.getMessage());
       throw new CompilationException(

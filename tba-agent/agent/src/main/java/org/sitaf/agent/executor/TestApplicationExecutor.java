@@ -134,6 +134,9 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
         if (how == Follow.NO_ANSWER) {
           where = request.application().hangLocation(process.stacks()).orElse("");
         }
+        if (simulator != null) {
+          simulator.stopDevices();
+        }
         if (how != Follow.ENDED) {
           process.kill();
         }

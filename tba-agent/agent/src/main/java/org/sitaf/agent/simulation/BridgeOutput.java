@@ -32,6 +32,18 @@ final class BridgeOutput {
     }
   }
 
+  /** All that is kept, after the process has ended. */
+  String text() {
+    try {
+      reader.join(JOIN_MS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    synchronized (kept) {
+      return kept.toString().strip();
+    }
+  }
+
   /** The last line in parentheses, after the bridge has ended; empty without output. */
   String lastLine() {
     try {

@@ -91,6 +91,11 @@ final class BridgePool implements Simulator {
     return sandbox;
   }
 
+  /** A guard of real devices; the caller closes it. */
+  HardwareGuard startGuard(String devices) throws SimulatorException, InterruptedException {
+    return HardwareGuard.start(command, directory, devices);
+  }
+
   /** A bridge that no build has used; the caller closes it. */
   BridgeProcess take() throws SimulatorException, InterruptedException {
     while (true) {

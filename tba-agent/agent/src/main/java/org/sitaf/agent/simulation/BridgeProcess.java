@@ -36,6 +36,7 @@ final class BridgeProcess {
   private static final Duration EXIT_GRACE = Duration.ofMillis(500);
   private static final String LISTENING = "listening ";
   private static final String CONTROL = "control";
+  private static final String GUARD = "guard";
 
   /**
    * {@code sun_path} holds 108 bytes including the terminator; some are needed for names in the
@@ -124,7 +125,8 @@ final class BridgeProcess {
     return new SimulatorException("the simulator could not be started: " + reason + lastLine);
   }
 
-  private static Path newFolder(Path directory) throws IOException {
+  /** A folder whose path is short enough for sockets. */
+  static Path newFolder(Path directory) throws IOException {
     Path absolute = Files.createDirectories(directory).toAbsolutePath();
     var ownerOnly =
         PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------"));
@@ -172,6 +174,18 @@ final class BridgeProcess {
       throw new IOException("the simulator's endpoint " + name + " is not a socket");
     }
     return shared;
+  }
+
+  /**
+   * Gives the bridge access to the guard of real devices.
+   *
+   * @return the gRPC target
+   */
+  String admit(Path guard) throws IOException {
+    Path linked = folder.resolve("w").resolve(GUARD);
+    Files.deleteIfExists(linked);
+    Files.createLink(linked, guard);
+    return "unix:" + linked;
   }
 
   /** Closes an endpoint. A bridge that does not stop the endpoint's calls is killed. */

@@ -1,9 +1,12 @@
 package org.sitaf.agent.simulation;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.verdict.HardwareReport;
 
 /** The robot simulator of one build, until it is closed. Thread-safe. */
 public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulator, SharedSimulator {
@@ -46,6 +49,27 @@ public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulato
    * @throws SimulatorException if the simulator does not answer
    */
   Optional<Trace> takeSignals(int no) throws SimulatorException;
+
+  /**
+   * Lets the sessions of endpoints that are opened later use devices that are not simulated; call
+   * {@link #check} first. Real devices are held until this simulator is closed.
+   *
+   * @return what serves each device
+   * @throws WorldException if a device does not fit the world
+   * @throws SimulatorException if a provider does not answer, or the simulator is shared with
+   *     others
+   */
+  List<String> use(HardwareOrder order)
+      throws WorldException, SimulatorException, InterruptedException;
+
+  /**
+   * Ends a case with devices that are not simulated, and returns what was measured; call it before
+   * the endpoint of the case is closed.
+   *
+   * @return null if all devices are simulated
+   * @throws SimulatorException if the simulator does not answer
+   */
+  @Nullable HardwareReport takeHardwareReport(int no) throws SimulatorException;
 
   /**
    * Opens an endpoint for one process of a test application; call {@link #check} first.

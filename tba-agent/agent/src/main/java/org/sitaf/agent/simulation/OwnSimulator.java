@@ -3,7 +3,9 @@ package org.sitaf.agent.simulation;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -12,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.core.digest.Sha256;
 import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.verdict.HardwareReport;
 
 /** A bridge that serves one build; replaced by a new one if it dies. */
 final class OwnSimulator implements BuildSimulator {
@@ -21,6 +24,9 @@ final class OwnSimulator implements BuildSimulator {
   private @Nullable BridgeProcess bridge;
   private @Nullable World world;
   private @Nullable SignalOrder signals;
+  private @Nullable HardwareOrder hardware;
+  private @Nullable HardwareGuard guard;
+  private List<String> served = List.of();
   private int endpoints;
 
   /** Endpoints that are not closed, also of bridges that ended. */
@@ -138,7 +144,9 @@ final class OwnSimulator implements BuildSimulator {
       BridgeProcess current = runningBridge();
       String name = "e" + ++endpoints;
       try {
-        current.client().openEndpoint(name, offered.compiled().digest(), signals);
+        current
+            .client()
+            .openEndpoint(name, offered.compiled().digest(), signals, hardwareOf(current));
         Endpoint opened = new Endpoint(current, name, current.share(name), open);
         open.add(opened);
         return opened;
@@ -150,6 +158,69 @@ final class OwnSimulator implements BuildSimulator {
         }
       }
     }
+  }
+
+  @Override
+  public synchronized List<String> use(HardwareOrder order)
+      throws WorldException, SimulatorException, InterruptedException {
+    World checked = world;
+    if (checked == null) {
+      throw new IllegalStateException("the world was not checked");
+    }
+    if (order.hasRealDevices()) {
+      guard = bridges.startGuard(order.guardFile(checked.compiled().commands()));
+    }
+    hardware = order;
+    BridgeProcess current = runningBridge();
+    try {
+      served =
+          current
+              .client()
+              .checkHardware(
+                  checked.description(),
+                  checked.files(),
+                  Objects.requireNonNull(hardwareOf(current)),
+                  order.parameters());
+    } catch (IOException e) {
+      throw new SimulatorException("the simulator cannot reach the devices: " + e.getMessage(), e);
+    }
+    return served;
+  }
+
+  /** What a bridge must know of the devices; null if all are simulated. */
+  private org.sitaf.sim.v1.@Nullable HardwareOrder hardwareOf(BridgeProcess current)
+      throws IOException {
+    HardwareOrder order = hardware;
+    HardwareGuard guarding = guard;
+    if (order == null) {
+      return null;
+    }
+    return order.message(guarding == null ? "" : current.admit(guarding.socket()));
+  }
+
+  @Override
+  public @Nullable HardwareReport takeHardwareReport(int no) throws SimulatorException {
+    if (hardware == null) {
+      return null;
+    }
+    HardwareReport merged = null;
+    for (Endpoint endpoint : open) {
+      if (!endpoint.hasEnded()) {
+        HardwareReport report =
+            HardwareReports.of(
+                endpoint.bridge().client().takeHardwareReport(endpoint.name(), no), served);
+        if (merged == null || report.exchanges() + report.readings() > 0) {
+          merged = report;
+        }
+      }
+    }
+    if (merged == null) {
+      throw new SimulatorException("the simulator has ended");
+    }
+    HardwareGuard guarding = guard;
+    return guarding != null && !guarding.isAlive()
+        ? HardwareReports.withFault(merged, "the hardware guard has ended")
+        : merged;
   }
 
   /** The bridge, or a new one if it has died. */
@@ -187,6 +258,11 @@ final class OwnSimulator implements BuildSimulator {
       bridge = null;
       bridges.startAhead();
     }
+    HardwareGuard guarding = guard;
+    if (guarding != null) {
+      guard = null;
+      guarding.close();
+    }
   }
 
   /** A socket of the bridge for one process of the test application. */
@@ -220,6 +296,11 @@ final class OwnSimulator implements BuildSimulator {
     @Override
     public Optional<SimulatorEnd> end() throws InterruptedException {
       return bridge.end();
+    }
+
+    @Override
+    public void stopDevices() {
+      bridge.client().stopHardware(name);
     }
 
     @Override

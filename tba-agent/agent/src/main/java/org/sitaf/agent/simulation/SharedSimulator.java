@@ -1,9 +1,12 @@
 package org.sitaf.agent.simulation;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.verdict.HardwareReport;
 
 /** A simulator that other builds use, too. */
 final class SharedSimulator implements BuildSimulator {
@@ -42,6 +45,19 @@ final class SharedSimulator implements BuildSimulator {
   @Override
   public Optional<Trace> takeSignals(int no) {
     return Optional.empty();
+  }
+
+  @Override
+  public List<String> use(HardwareOrder order) throws SimulatorException {
+    throw new SimulatorException(
+        "real and recorded devices need a simulator that serves this build only, but the one at "
+            + target
+            + " is shared with others");
+  }
+
+  @Override
+  public @Nullable HardwareReport takeHardwareReport(int no) {
+    return null;
   }
 
   @Override

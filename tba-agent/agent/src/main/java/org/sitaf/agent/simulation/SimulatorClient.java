@@ -7,6 +7,7 @@ import io.grpc.ManagedChannel;
 import io.grpc.ManagedChannelBuilder;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,9 +16,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.hardware.DeviceBackend.Range;
 import org.sitaf.core.trajectory.Trace;
+import org.sitaf.sim.v1.CheckHardwareRequest;
 import org.sitaf.sim.v1.CloseEndpointRequest;
 import org.sitaf.sim.v1.DescribeWorldRequest;
+import org.sitaf.sim.v1.DeviceDescription;
 import org.sitaf.sim.v1.GetSimulatorFeaturesRequest;
 import org.sitaf.sim.v1.GetSimulatorFeaturesResponse;
 import org.sitaf.sim.v1.OpenEndpointRequest;
@@ -25,6 +29,10 @@ import org.sitaf.sim.v1.OpenEndpointResponse;
 import org.sitaf.sim.v1.Signal;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.SimulatorAdministrationGrpc;
+import org.sitaf.sim.v1.StopHardwareRequest;
+import org.sitaf.sim.v1.StopHardwareResponse;
+import org.sitaf.sim.v1.TakeHardwareReportRequest;
+import org.sitaf.sim.v1.TakeHardwareReportResponse;
 import org.sitaf.sim.v1.TakeSignalsRequest;
 import org.sitaf.sim.v1.TakeSignalsResponse;
 import org.sitaf.sim.v1.WorldDescription;
@@ -102,14 +110,22 @@ public final class SimulatorClient implements AutoCloseable {
    *
    * @param worldDigest digest of the only world that the endpoint offers
    * @param signals what its session samples at each step; null for nothing
+   * @param hardware the devices that are not simulated; null if all are
    * @throws SimulatorException if the bridge refuses
    */
-  void openEndpoint(String name, String worldDigest, @Nullable SignalOrder signals)
+  void openEndpoint(
+      String name,
+      String worldDigest,
+      @Nullable SignalOrder signals,
+      org.sitaf.sim.v1.@Nullable HardwareOrder hardware)
       throws SimulatorException {
     OpenEndpointRequest.Builder request =
         OpenEndpointRequest.newBuilder().setName(name).setWorldDigest(worldDigest);
     if (signals != null) {
       request.getSignalsBuilder().addAllNames(signals.names()).setSettling(signals.settling());
+    }
+    if (hardware != null) {
+      request.setHardware(hardware);
     }
     try {
       OpenEndpointResponse unused = administration().openEndpoint(request.build());
@@ -159,6 +175,73 @@ public final class SimulatorClient implements AutoCloseable {
   }
 
   /**
+   * Compares devices that are not simulated with a world.
+   *
+   * @param parameters names of parameters that a test sets
+   * @return what serves each device
+   * @throws WorldException if a device does not fit
+   * @throws SimulatorException if a provider or the simulator does not answer
+   */
+  List<String> checkHardware(
+      String description,
+      Map<String, byte[]> files,
+      org.sitaf.sim.v1.HardwareOrder hardware,
+      Set<String> parameters)
+      throws WorldException, SimulatorException {
+    try {
+      return SimulatorAdministrationGrpc.newBlockingStub(channel)
+          .withDeadlineAfter(DEADLINE_S, TimeUnit.SECONDS)
+          .checkHardware(
+              CheckHardwareRequest.newBuilder()
+                  .setWorld(source(description, files))
+                  .setHardware(hardware)
+                  .addAllParameters(parameters)
+                  .build())
+          .getDescriptionsList();
+    } catch (StatusRuntimeException e) {
+      String message = String.valueOf(e.getStatus().getDescription());
+      Status.Code code = e.getStatus().getCode();
+      if (code == Status.Code.INVALID_ARGUMENT) {
+        throw new WorldException(message);
+      }
+      throw code == Status.Code.FAILED_PRECONDITION
+          ? new SimulatorException(message, e)
+          : noAnswer(e);
+    }
+  }
+
+  /**
+   * Ends a case with devices that are not simulated, and returns what was measured.
+   *
+   * @throws SimulatorException if the bridge does not answer
+   */
+  TakeHardwareReportResponse takeHardwareReport(String endpoint, int no) throws SimulatorException {
+    try {
+      return administration()
+          .takeHardwareReport(
+              TakeHardwareReportRequest.newBuilder().setName(endpoint).setCaseNo(no).build());
+    } catch (StatusRuntimeException e) {
+      throw noAnswer(e);
+    }
+  }
+
+  /** Stops the devices of an endpoint safely. The guard does so if the bridge does not answer. */
+  void stopHardware(String endpoint) {
+    try {
+      StopHardwareResponse unused =
+          administration().stopHardware(StopHardwareRequest.newBuilder().setName(endpoint).build());
+    } catch (StatusRuntimeException e) {
+      // The guard stops devices whose simulator has ended.
+    }
+  }
+
+  private static WorldSource.Builder source(String description, Map<String, byte[]> files) {
+    WorldSource.Builder world = WorldSource.newBuilder().setDescription(description);
+    files.forEach((path, content) -> world.putFiles(path, ByteString.copyFrom(content)));
+    return world;
+  }
+
+  /**
    * Closes an endpoint; returns whether all its calls have ended, false if the bridge does not
    * answer.
    */
@@ -183,18 +266,24 @@ public final class SimulatorClient implements AutoCloseable {
    */
   CompiledWorld check(String description, Map<String, byte[]> files, Set<String> faults)
       throws WorldException, SimulatorException {
-    WorldSource.Builder world = WorldSource.newBuilder().setDescription(description);
-    files.forEach((path, content) -> world.putFiles(path, ByteString.copyFrom(content)));
     try {
       WorldDescription described =
           stub()
               .describeWorld(
                   DescribeWorldRequest.newBuilder()
-                      .setWorld(world)
+                      .setWorld(source(description, files))
                       .addAllParameters(faults)
                       .build())
               .getWorld();
-      return new CompiledWorld(described.getDigest(), described.getTimestepNs());
+      Map<String, Map<String, Range>> commands = new HashMap<>();
+      for (DeviceDescription device : described.getDevicesList()) {
+        Map<String, Range> numbers = new HashMap<>();
+        device
+            .getCommandsList()
+            .forEach(n -> numbers.put(n.getName(), new Range(n.getMin(), n.getMax())));
+        commands.put(device.getName(), numbers);
+      }
+      return new CompiledWorld(described.getDigest(), described.getTimestepNs(), commands);
     } catch (StatusRuntimeException e) {
       Status.Code code = e.getStatus().getCode();
       if (code == Status.Code.INVALID_ARGUMENT

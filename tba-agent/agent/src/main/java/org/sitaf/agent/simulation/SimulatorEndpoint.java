@@ -16,6 +16,11 @@ public interface SimulatorEndpoint extends AutoCloseable {
   /** Calls the simulator; returns why it does not answer, or empty if it does. */
   Optional<SimulatorEnd> end() throws InterruptedException;
 
+  /** Stops real devices safely, because the test application has ended. */
+  default void stopDevices() {
+    // All devices are simulated.
+  }
+
   /** Closes the session. A simulator that does not stop the session's calls is killed. */
   @Override
   void close();

@@ -123,7 +123,7 @@ class SimulatorTest {
                     client.check(
                         "w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", other), Set.of()))
             .hasMessageContaining("PERMISSION_DENIED");
-        assertThatThrownBy(() -> client.openEndpoint("e9", "0", null))
+        assertThatThrownBy(() -> client.openEndpoint("e9", "0", null, null))
             .hasMessageContaining("UNIMPLEMENTED");
       }
     }

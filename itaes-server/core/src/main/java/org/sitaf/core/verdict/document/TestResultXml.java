@@ -130,6 +130,9 @@ public final class TestResultXml {
             RepeatedCallsXml.read(given.getRepeatedCalls()),
             given.getMessage() == null ? "" : given.getMessage());
     CaseResult result = given.getNote().isEmpty() ? read : read.withNotes(given.getNote());
+    if (given.getHardware() != null) {
+      result = result.with(HardwareReportXml.read(given.getHardware()));
+    }
     return given.getStep().isEmpty() ? result : result.withSteps(StepsXml.read(given.getStep()));
   }
 
@@ -270,6 +273,7 @@ public final class TestResultXml {
     written.setRepeatedCalls(RepeatedCallsXml.write(result.repeated()));
     written.setMessage(result.message().isEmpty() ? null : result.message());
     written.getNote().addAll(result.notes());
+    written.setHardware(HardwareReportXml.write(result.hardware()));
     return written;
   }
 
