@@ -28,6 +28,7 @@ def outage(installed, tmp_path_factory):
     ("program", "arguments"),
     [
         pytest.param("lease", (), id="lease"),
+        pytest.param("hardware", ("--kills", "3", "--deaths", "1", "--grace-s", "2"), id="hardware"),
         pytest.param("cluster", ("--kills", "1"), id="cluster"),
         pytest.param("cluster", ("--kills", "3"), id="cluster-longer", marks=pytest.mark.long),
         pytest.param("kill", ("--kills", "8", "--within-s", "240"), id="kill"),

@@ -35,6 +35,7 @@ if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
 fi
 
 bridge_tests() {
+  bash "$home/hardware/python/check.sh" "$python"
   cd "$home/sim-bridge"
   bash check.sh "$python"
   "$python" -m pytest -q "${python_marks[@]}"
@@ -102,11 +103,11 @@ unlocked
 [ ! -d "$compiled" ] || [ -d "$state/cache/cpp/runtime" ] || { mkdir -p "$state/cache/cpp/runtime" && cp -r "$compiled/." "$state/cache/cpp/runtime"; }
 await_alongside
 
-if ! "$python" -c 'import dateutil, playwright, pydantic, schemathesis, urllib3, xdist' 2>/dev/null; then
+if ! "$python" -c 'import dateutil, playwright, pydantic, pymodbus, schemathesis, urllib3, xdist' 2>/dev/null; then
   # playwright drives Debian's Chromium; schemathesis sends requests generated from the OpenAPI document; xdist runs test
-  # files in parallel. The server's Python client requires the others.
+  # files in parallel; pymodbus connects the servo drive of examples/modbus-joint. The server's Python client requires the others.
   "$python" -m pip install --quiet playwright==1.65.2 schemathesis==4.32.5 pytest-xdist==3.8.0 \
-    pydantic==2.14.3 python-dateutil==2.9.0.post0 urllib3==2.8.0
+    pydantic==2.14.3 python-dateutil==2.9.0.post0 urllib3==2.8.0 pymodbus==3.16.1
 fi
 
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
