@@ -23,9 +23,7 @@ import org.sitaf.cli.run.LocalBuilds;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
-import org.sitaf.core.explain.Explainer;
 import org.sitaf.core.explain.Explanation;
-import org.sitaf.core.explain.SequenceExplainer;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.core.suite.GeneratedSuite;
@@ -46,8 +44,8 @@ import picocli.CommandLine.Spec;
       "Runs the cases of an activity and explains those that fail: the smallest sets of values that"
           + " fail with any other values, the simplest such case, and the boundary of a numeric"
           + " input. Further cases are executed for this.",
-      "Exit code 0: every failure is explained, or no case failed; 1: a failure is not explained; 2:"
-          + " the cases could not be executed."
+      "Exit code 0: every failure is explained, or no case failed; 1: a failure is not explained;"
+          + " 2: the cases could not be executed."
     },
     mixinStandardHelpOptions = true)
 public final class ExplainCommand implements Callable<Integer> {
@@ -184,26 +182,15 @@ public final class ExplainCommand implements Callable<Integer> {
           result.cases().stream().filter(c -> selected.contains(c.no())).toList(),
           out);
     }
-    if (suite.isOfSequences()) {
-      return new SequenceExplainer(
-              model,
-              suite,
-              result.cases(),
-              chosen,
-              new FurtherBuilds(builds, activity, model, suite, err),
-              budget)
-          .explain();
-    }
     try {
-      return new Explainer(
-              model,
-              suite,
-              result.cases(),
-              activity.world(),
-              chosen,
-              new FurtherBuilds(builds, activity, model, suite, err),
-              budget)
-          .explain();
+      return Explanation.of(
+          model,
+          suite,
+          result.cases(),
+          activity.world(),
+          chosen,
+          new FurtherBuilds(builds, activity, model, suite, err),
+          budget);
     } catch (IllegalStateException e) {
       throw InvalidInputException.of(model.name(), String.valueOf(e.getMessage()));
     }

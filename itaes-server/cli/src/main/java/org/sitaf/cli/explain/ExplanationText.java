@@ -1,24 +1,25 @@
 package org.sitaf.cli.explain;
 
 import java.io.PrintWriter;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.run.CaseTable;
 import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.explain.Explanation;
 import org.sitaf.core.explain.Explanation.Boundary;
 import org.sitaf.core.explain.Explanation.Cause;
+import org.sitaf.core.explain.report.CauseText;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Verdict;
 
 /** One plain sentence for each cause. */
 final class ExplanationText {
   private static final int MAX_NUMBERS = 20;
+
+  /** Sentences for a terminal. */
+  static final CauseText SENTENCES = new CauseText(Printable::line, CaseTable::cell);
 
   private ExplanationText() {}
 
@@ -31,9 +32,9 @@ final class ExplanationText {
     if (all && explanation.causes().isEmpty() && explanation.unexplained().isEmpty()) {
       out.println(model + ": no case failed");
     }
-    for (List<Cause> causes : merged(explanation.causes())) {
+    for (List<Cause> causes : CauseText.merged(explanation.causes())) {
       Cause first = causes.get(0);
-      out.println(model + ": " + sentence(first));
+      out.println(model + ": " + SENTENCES.sentence(first));
       List<Integer> numbers =
           causes.stream().flatMap(c -> c.cases().stream()).distinct().sorted().toList();
       if (!numbers.isEmpty()) {
@@ -49,7 +50,7 @@ final class ExplanationText {
       if (boundary != null) {
         out.println(
             "  boundary: "
-                + name(boundary.parameter())
+                + SENTENCES.name(boundary.parameter())
                 + " passes with "
                 + Printable.line(boundary.passes())
                 + " and fails with "
@@ -98,63 +99,6 @@ final class ExplanationText {
         .map(CaseResult::no)
         .sorted()
         .toList();
-  }
-
-  private static List<List<Cause>> merged(List<Cause> causes) {
-    Map<Object, List<Cause>> groups = new LinkedHashMap<>();
-    for (Cause cause : causes) {
-      Boundary boundary = cause.boundary();
-      Object key = cause;
-      if (boundary != null) {
-        Map<String, String> others = new LinkedHashMap<>(cause.parameters());
-        others.remove(boundary.parameter());
-        key = List.of(others, boundary);
-      }
-      groups.computeIfAbsent(key, k -> new ArrayList<>()).add(cause);
-    }
-    return List.copyOf(groups.values());
-  }
-
-  /** The cause as a sentence, such as: fails where `order` is XYZ, whatever the rest. */
-  static String sentence(Cause cause) {
-    String verb = cause.verdict().name().equals("ERROR") ? "ends with an error" : "fails";
-    String relation = cause.relation();
-    if (relation != null) {
-      return verb + " where " + Printable.line(relation) + ", whatever the rest";
-    }
-    if (!cause.steps().isEmpty()) {
-      return verb
-          + " at the end of: "
-          + cause.steps().stream().map(CaseTable::cell).collect(Collectors.joining(", "));
-    }
-    if (cause.parameters().isEmpty()) {
-      return verb + " in every case";
-    }
-    List<String> parts = new ArrayList<>();
-    cause.parameters().forEach((name, value) -> parts.add(part(name, value, cause.boundary())));
-    String joined =
-        parts.size() == 1
-            ? parts.get(0)
-            : String.join(", ", parts.subList(0, parts.size() - 1))
-                + " and "
-                + parts.get(parts.size() - 1);
-    return verb
-        + " where "
-        + joined
-        + (cause.simplest().size() == cause.parameters().size() ? "" : ", whatever the rest");
-  }
-
-  private static String part(String name, String value, @Nullable Boundary boundary) {
-    if (boundary == null || !boundary.parameter().equals(name)) {
-      return name(name) + " is " + (value.isEmpty() ? "empty" : Printable.line(value));
-    }
-    double passes = Double.parseDouble(boundary.passes());
-    double fails = Double.parseDouble(boundary.fails());
-    return name(name) + (fails > passes ? " is above " : " is below ") + boundary.passes();
-  }
-
-  private static String name(String name) {
-    return "`" + Printable.line(name) + "`";
   }
 
   /** A case as text. */

@@ -22,6 +22,8 @@ import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.explain.report.Bundle;
+import org.sitaf.core.explain.report.RunRecord;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
@@ -39,8 +41,8 @@ import tools.jackson.databind.json.JsonMapper;
 @Command(
     name = "replay",
     description = {
-      "Runs the case of a bundle of ./sitaf explain --bundles, and compares verdict and outputs with"
-          + " those of the bundle.",
+      "Runs the case of a bundle of ./sitaf explain --bundles, and compares verdict and outputs"
+          + " with those of the bundle.",
       "Exit code 0: they are equal; 1: they differ, and what else differs is printed; 2: the case"
           + " could not be executed."
     },
@@ -70,12 +72,12 @@ public final class ReplayCommand implements Callable<Integer> {
       bundle = ActivityArchive.read(zip, file.toString());
     }
     JsonNode recorded = recorded(bundle);
-    Activity activity = Activity.read(bundle.below(Bundles.ACTIVITY));
+    Activity activity = Activity.read(bundle.below(Bundle.ACTIVITY));
     TestSuite suite =
         TestSuiteXml.read(
             new ByteArrayInputStream(
-                bundle.content(Bundles.SUITE).orElseThrow(() -> missing(Bundles.SUITE))),
-            Bundles.SUITE);
+                bundle.content(Bundle.SUITE).orElseThrow(() -> missing(Bundle.SUITE))),
+            Bundle.SUITE);
     TestModel model =
         activity
             .model(recorded.path("model").asString(""))
@@ -83,7 +85,7 @@ public final class ReplayCommand implements Callable<Integer> {
     if (suite.cases().size() != 1 || suite.parameters().size() != model.inputs().size()) {
       throw InvalidInputException.of(
           file.toString(),
-          "is no bundle: " + Bundles.SUITE + " must have one case of " + model.name());
+          "is no bundle: " + Bundle.SUITE + " must have one case of " + model.name());
     }
     TestResult result;
     try (LocalBuilds builds =
@@ -136,8 +138,8 @@ public final class ReplayCommand implements Callable<Integer> {
     }
     if (!any) {
       out.println(
-          "  component, harness, simulator, compiler, packages and machine are the same, so the case"
-              + " is not reproducible");
+          "  component, harness, simulator, compiler, packages and machine are the same, so the"
+              + " case is not reproducible");
     }
     out.flush();
     return DIFFERS;
@@ -148,12 +150,12 @@ public final class ReplayCommand implements Callable<Integer> {
   }
 
   private JsonNode recorded(FileTree bundle) {
-    String text = bundle.text(Bundles.RECORD).orElseThrow(() -> missing(Bundles.RECORD));
+    String text = bundle.text(Bundle.RECORD).orElseThrow(() -> missing(Bundle.RECORD));
     try {
       return new JsonMapper().readTree(text);
     } catch (JacksonException e) {
       throw InvalidInputException.of(
-          file.toString(), Bundles.RECORD + " is not JSON: " + e.getOriginalMessage());
+          file.toString(), Bundle.RECORD + " is not JSON: " + e.getOriginalMessage());
     }
   }
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.analysis.ScoredModel;
 import org.sitaf.cli.Sitaf;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.SuiteCache;
@@ -22,6 +23,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.score.SpecificationScore;
 import org.sitaf.core.suite.GeneratedSuite;
+import org.sitaf.core.suite.TestSuite;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -93,8 +95,7 @@ public final class ScoreCommand implements Callable<Integer> {
       for (TestModel model : models) {
         GeneratedSuite generated = suites.generate(model, generation.options());
         Sitaf.print(generated.notes(), err);
-        SpecificationScore score =
-            new ScoredModel(builds, activity, model, generated.suite(), err).score(budget);
+        SpecificationScore score = score(builds, activity, model, generated.suite(), err);
         scores.put(model.name(), score);
         ScoreText.print(model.name(), score, all, out);
       }
@@ -103,5 +104,33 @@ public final class ScoreCommand implements Callable<Integer> {
       ScoreJson.write(scores, json);
     }
     return scores.values().stream().allMatch(s -> s.survivors().isEmpty()) ? 0 : NOT_NOTICED;
+  }
+
+  private SpecificationScore score(
+      LocalBuilds builds, Activity activity, TestModel model, TestSuite suite, PrintWriter err)
+      throws InterruptedException {
+    return new ScoredModel(
+            activity,
+            model,
+            suite,
+            (cases, signals, observer) -> {
+              err.println(
+                  model.name()
+                      + ": executing "
+                      + suite.cases().size()
+                      + " cases and "
+                      + (cases.cases().size() - suite.cases().size())
+                      + " further ones");
+              err.flush();
+              return builds.completed(
+                  activity,
+                  builds.record(
+                      activity.withoutTiming(),
+                      model.withoutTiming().withoutRelations(),
+                      cases,
+                      signals,
+                      observer));
+            })
+        .score(budget);
   }
 }

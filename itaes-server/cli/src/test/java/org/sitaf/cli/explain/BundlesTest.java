@@ -15,7 +15,7 @@ class BundlesTest {
         "`<img src=x>`; `'<img src=x>'`",
       })
   void aValueStaysInItsCell(String value, String cell) {
-    assertThat(Bundles.code(value)).isEqualTo(cell);
+    assertThat(Bundle.code(value), ExplanationText.SENTENCES).isEqualTo(cell);
     assertThat(Bundles.code("a\n\n# Title\u001b[2J"))
         .isEqualTo("`a\\u000a\\u000a# Title\\u001b[2J`");
   }

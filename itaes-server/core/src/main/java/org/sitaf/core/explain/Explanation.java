@@ -5,7 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Verdict;
 
 /**
@@ -18,6 +23,30 @@ public record Explanation(List<Cause> causes, int executions, List<Integer> unex
   public Explanation {
     causes = List.copyOf(causes);
     unexplained = List.copyOf(unexplained);
+  }
+
+  /**
+   * Explains the failures of a suite of single calls or of sequences.
+   *
+   * @param results of the cases of the suite; cases that were not executed are ignored
+   * @param world of the activity; null if it has none
+   * @param cases numbers of the failed cases to explain; null for all
+   * @param budget maximum number of further executions
+   * @throws InterruptedException if the search is cancelled
+   * @throws IllegalStateException if a further case could not be executed
+   */
+  public static Explanation of(
+      TestModel model,
+      TestSuite suite,
+      List<CaseResult> results,
+      @Nullable WorldDescription world,
+      @Nullable Set<Integer> cases,
+      CaseExecution execution,
+      int budget)
+      throws InterruptedException {
+    return suite.isOfSequences()
+        ? new SequenceExplainer(model, suite, results, cases, execution, budget).explain()
+        : new Explainer(model, suite, results, world, cases, execution, budget).explain();
   }
 
   /**

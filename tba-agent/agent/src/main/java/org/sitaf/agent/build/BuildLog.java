@@ -13,7 +13,7 @@ import org.sitaf.agent.executor.OutputSink;
  * headers {@code [sitaf] case NO} before it, and the agent's remarks, because a component can cause
  * many of them. Remarks at the end of the build have a separate limit.
  */
-final class BuildLog implements OutputSink, AutoCloseable {
+public final class BuildLog implements OutputSink, AutoCloseable {
   /** More output than people read; an endless loop prints more than this in a second. */
   static final long OUTPUT_LIMIT_BYTES = 4L << 20;
 
@@ -33,7 +33,12 @@ final class BuildLog implements OutputSink, AutoCloseable {
   private boolean cut;
   private @Nullable IOException failure;
 
-  BuildLog(Path path, BuildListener listener) throws IOException {
+  /**
+   * Creates the file.
+   *
+   * @param listener gets what is appended
+   */
+  public BuildLog(Path path, BuildListener listener) throws IOException {
     // Not a channel, which would be closed by the interrupt of a cancelled build.
     this.file = new FileOutputStream(path.toFile());
     this.listener = listener;

@@ -20,6 +20,13 @@ public sealed interface BuildOutcome {
     }
   }
 
+  /** An analysis of a build ended. */
+  record Analysed(AnalysisReport report) implements BuildOutcome {
+    public Analysed {
+      Objects.requireNonNull(report);
+    }
+  }
+
   /**
    * The user's files do not compile. A retry gives the same result. The number and length of errors
    * are limited.

@@ -12,7 +12,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.analysis.AnalysisRun;
 import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
@@ -39,6 +42,9 @@ final class AttemptRun {
   private static final int MAX_DAMAGED_DOWNLOADS = 3;
   private static final long SUSPEND_GRACE_MS = 2000;
 
+  /** The file of an assignment with the result that is analysed. */
+  private static final String ANALYSED = "analysed-result.xml";
+
   private final Attempt attempt;
   private final Assignment assignment;
   private final Path directory;
@@ -52,7 +58,9 @@ final class AttemptRun {
   private boolean stoppedByAgent;
   private boolean abandoned;
   private int casesLeft = Integer.MAX_VALUE;
-  private @Nullable BuildRun build;
+
+  /** Cancels what runs; null before it runs. */
+  private @Nullable Consumer<String> running;
 
   AttemptRun(
       Attempt attempt,
@@ -123,17 +131,17 @@ final class AttemptRun {
   }
 
   private void stop(String reason) {
-    BuildRun running;
+    Consumer<String> cancel;
     synchronized (this) {
       if (stopReason == null) {
         stopReason = reason;
       }
-      running = build;
+      cancel = running;
     }
     stop.countDown();
     downloadContext.cancel(null);
-    if (running != null) {
-      running.cancel(reason);
+    if (cancel != null) {
+      cancel.accept(reason);
     }
   }
 
@@ -181,17 +189,19 @@ final class AttemptRun {
 
   private BuildOutcome downloadAndBuild(ProgressReport report) {
     try {
-      TestApplication application = TestApplication.read(download());
-      BuildRun run = new BuildRun(application, directory, recorded(), counting(report));
+      FileTree files = download();
+      TestApplication application = TestApplication.read(files);
+      Supplier<BuildOutcome> work =
+          assignment.hasAnalysis()
+              ? analysis(application, files, report)
+              : build(application, report);
       synchronized (this) {
-        build = run;
-        casesLeft = application.suite().cases().size();
         if (stopReason != null) {
           return new BuildOutcome.Cancelled(stopReason);
         }
       }
       try {
-        return run.run();
+        return work.get();
       } finally {
         // Start the compiler for the next build of this language.
         settings
@@ -212,6 +222,30 @@ final class AttemptRun {
       return new BuildOutcome.InfrastructureFailed(
           "the test application cannot be downloaded: " + e.getMessage());
     }
+  }
+
+  private Supplier<BuildOutcome> build(TestApplication application, ProgressReport report) {
+    BuildRun run = new BuildRun(application, directory, recorded(), counting(report));
+    synchronized (this) {
+      running = run::cancel;
+      casesLeft = application.suite().cases().size();
+    }
+    return run::run;
+  }
+
+  private Supplier<BuildOutcome> analysis(
+      TestApplication application, FileTree files, ProgressReport report) {
+    AnalysisRun run =
+        new AnalysisRun(
+            application,
+            AnalysisMessages.order(assignment.getAnalysis(), files.content(ANALYSED).orElse(null)),
+            directory,
+            settings,
+            counting(report));
+    synchronized (this) {
+      running = run::cancel;
+    }
+    return run::run;
   }
 
   /** Forwards events to the report and counts the remaining cases. */

@@ -269,8 +269,11 @@ final class ResultUpload implements AutoCloseable {
 
   /** An entry may be deleted only if the server confirms its size and digest. */
   private static boolean confirms(SubmitResultResponse answer, SubmitResultRequest sent) {
-    return answer.getSha256().equals(sent.getSha256())
-        && answer.getSize() == sent.getResultDescriptor().size();
+    long size =
+        sent.hasAnalysis()
+            ? sent.getAnalysis().getSerializedSize()
+            : sent.getResultDescriptor().size();
+    return answer.getSha256().equals(sent.getSha256()) && answer.getSize() == size;
   }
 
   /**

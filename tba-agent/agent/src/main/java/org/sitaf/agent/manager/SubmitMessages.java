@@ -5,6 +5,7 @@ import java.io.ByteArrayOutputStream;
 import java.util.List;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.v1.AnalysisReport;
 import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.BuildFailure.Category;
 import org.sitaf.agent.v1.Diagnostic;
@@ -17,6 +18,9 @@ final class SubmitMessages {
   private static final int MAX_DIAGNOSTICS = 200;
   private static final int MAX_TEXT = 4000;
 
+  /** Limit of the protocol. */
+  private static final int MAX_REPORT_BYTES = 3 << 20;
+
   private SubmitMessages() {}
 
   static SubmitResultRequest of(Attempt attempt, BuildOutcome outcome) {
@@ -28,6 +32,21 @@ final class SubmitMessages {
           .setAttempt(attempt.ref())
           .setResultDescriptor(ByteString.copyFrom(bytes))
           .setSha256(Sha256.hex(bytes))
+          .build();
+    }
+    if (outcome instanceof BuildOutcome.Analysed analysed) {
+      AnalysisReport report = AnalysisMessages.of(analysed.report());
+      if (report.getSerializedSize() > MAX_REPORT_BYTES) {
+        return failure(
+            attempt,
+            Category.COMPILATION,
+            "the values of the suite are too long to be explained",
+            List.of());
+      }
+      return SubmitResultRequest.newBuilder()
+          .setAttempt(attempt.ref())
+          .setAnalysis(report)
+          .setSha256(Sha256.hex(report.toByteArray()))
           .build();
     }
     if (outcome instanceof BuildOutcome.CompilationFailed failed) {

@@ -147,6 +147,7 @@ public final class TestBuildAgent implements AutoCloseable {
             .addAllLabels(settings.labels())
             .setSimulation(settings.bridge() != null || !settings.bridgeCommand().isEmpty())
             .setRefuses(disk.whyFull())
+            .setAnalyses(true)
             .addAllRunning(attempts.refs());
     if (!sandbox.kind().equals(Sandbox.NONE) && !settings.labels().contains(SANDBOXED)) {
       register.addLabels(SANDBOXED);

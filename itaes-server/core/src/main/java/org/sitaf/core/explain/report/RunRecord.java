@@ -1,7 +1,8 @@
-package org.sitaf.cli.explain;
+package org.sitaf.core.explain.report;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -15,13 +16,17 @@ import org.sitaf.core.verdict.TestResult;
  *
  * @param entries by name, in a fixed order
  */
-record RunRecord(Map<String, String> entries) {
-  static final String VERDICT = "verdict";
-  static final String DIGEST = "digest";
-  static final String MESSAGE = "message";
+public record RunRecord(Map<String, String> entries) {
+  public RunRecord {
+    entries = Collections.unmodifiableMap(new LinkedHashMap<>(entries));
+  }
+
+  public static final String VERDICT = "verdict";
+  public static final String DIGEST = "digest";
+  public static final String MESSAGE = "message";
 
   /** The record of a result with one case. */
-  static RunRecord of(TestResult result) {
+  public static RunRecord of(TestResult result) {
     CaseResult only = result.cases().get(0);
     Map<String, String> entries = new LinkedHashMap<>();
     entries.put(VERDICT, only.verdict().name());

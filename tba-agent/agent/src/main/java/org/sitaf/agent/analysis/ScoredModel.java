@@ -1,12 +1,13 @@
-package org.sitaf.cli.score;
+package org.sitaf.agent.analysis;
 
-import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.cli.run.LocalBuilds;
+import org.sitaf.agent.build.BuildListener;
+import org.sitaf.agent.build.BuildStage;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -30,7 +31,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
 /** Scores one model: one test application executes the suite and all further cases. */
-final class ScoredModel {
+public final class ScoredModel {
   private static final int MAX_BUDGET = 1_000;
 
   /** Limit for the simulation time of all further cases. */
@@ -41,19 +42,31 @@ final class ScoredModel {
   /** Each pair of steps has a fault of its own. */
   private static final int MIN_BUDGET_OF_SEQUENCES = 500;
 
-  private final LocalBuilds builds;
   private final Activity activity;
   private final TestModel model;
   private final TestSuite suite;
-  private final PrintWriter err;
+  private final Recorder recorder;
 
-  ScoredModel(
-      LocalBuilds builds, Activity activity, TestModel model, TestSuite suite, PrintWriter err) {
-    this.builds = builds;
+  /** Executes cases and hands over what is recorded. */
+  @FunctionalInterface
+  public interface Recorder {
+    /**
+     * Executes the cases of a suite, without repeated calls and relations.
+     *
+     * @param signals whether the observer receives the signals of the cases
+     * @param observer receives the records and signals, in any thread
+     * @throws InvalidInputException if the cases could not be executed
+     */
+    TestResult record(TestSuite cases, boolean signals, BuildListener observer)
+        throws InterruptedException;
+  }
+
+  /** A model without relations and repeated calls, which {@code recorder} executes. */
+  public ScoredModel(Activity activity, TestModel model, TestSuite suite, Recorder recorder) {
     this.activity = activity;
     this.model = model;
     this.suite = suite;
-    this.err = err;
+    this.recorder = recorder;
   }
 
   /**
@@ -61,7 +74,7 @@ final class ScoredModel {
    *
    * @param budget maximum number of further cases; null for the default
    */
-  SpecificationScore score(@Nullable Integer budget) throws InterruptedException {
+  public SpecificationScore score(@Nullable Integer budget) throws InterruptedException {
     int further = budget == null ? defaultBudget() : budget;
     return suite.isOfSequences() ? ofSequences(further) : ofSingleCalls(further);
   }
@@ -70,7 +83,7 @@ final class ScoredModel {
     FaultExecutions executions =
         new FaultExecutions(model, suite, activity.world(), activity.recorded(), budget);
     TrajectoryConditions conditions = conditions();
-    Recording recording = record(executions.cases(), executions.further(), conditions);
+    Recording recording = record(executions.cases(), conditions);
     return new FaultJudge(
             executions,
             expected(recording.result()),
@@ -85,7 +98,7 @@ final class ScoredModel {
     SequenceExecutions executions =
         new SequenceExecutions(model, suite, activity.world(), activity.recorded(), budget);
     TrajectoryConditions conditions = conditions();
-    Recording recording = record(executions.cases(), executions.further(), conditions);
+    Recording recording = record(executions.cases(), conditions);
     return new SequenceJudge(
             executions,
             suite,
@@ -100,42 +113,45 @@ final class ScoredModel {
   private record Recording(
       TestResult result, Map<Integer, CaseRecord> records, Map<Integer, Trace> traces) {}
 
-  private Recording record(TestSuite cases, int further, TrajectoryConditions conditions)
+  private Recording record(TestSuite cases, TrajectoryConditions conditions)
       throws InterruptedException {
-    err.println(
-        model.name()
-            + ": executing "
-            + suite.cases().size()
-            + " cases and "
-            + further
-            + " further ones");
-    err.flush();
     Map<Integer, CaseRecord> records = new ConcurrentHashMap<>();
     Map<Integer, Trace> traces = new ConcurrentHashMap<>();
     TestResult result =
-        builds.completed(
-            activity,
-            builds.record(
-                activity.withoutTiming(),
-                model.withoutTiming().withoutRelations(),
-                cases,
-                !conditions.isEmpty(),
-                new LocalBuilds.CaseObserver() {
-                  @Override
-                  public void signals(int no, Trace trace) {
-                    traces.put(no, trace);
-                  }
+        recorder.record(
+            cases,
+            !conditions.isEmpty(),
+            new BuildListener() {
+              @Override
+              public void stage(BuildStage stage) {
+                // The caller shows the progress.
+              }
 
-                  @Override
-                  public void caseRecorded(CaseRecord record) {
-                    records.put(record.no(), record);
-                  }
+              @Override
+              public void log(byte[] utf8) {
+                // The output of the component is not kept.
+              }
 
-                  @Override
-                  public void caseFinished(CaseResult finished) {
-                    // The outcome holds all results.
-                  }
-                }));
+              @Override
+              public void signals(int no, Trace trace) {
+                traces.put(no, trace);
+              }
+
+              @Override
+              public void caseRecorded(CaseRecord record) {
+                records.put(record.no(), record);
+              }
+
+              @Override
+              public void caseFinished(CaseResult finished) {
+                // The outcome holds all results.
+              }
+
+              @Override
+              public void recorded(int no, Path recording) {
+                // Nothing is recorded.
+              }
+            });
     requireResults(result);
     return new Recording(result, records, traces);
   }
