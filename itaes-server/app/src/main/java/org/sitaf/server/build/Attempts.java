@@ -11,6 +11,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFile;
+import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.result.live.LiveCases;
 import org.springframework.context.ApplicationEventPublisher;
@@ -27,6 +28,9 @@ public class Attempts {
   private final BuildRepository builds;
   private final AttemptRepository attempts;
   private final Results results;
+  private final StoredFiles contents;
+  private final AnalysisQueue analyses;
+  private final AnalysisReports reports;
   private final LiveCases live;
   private final RetryPolicy retryPolicy;
   private final ApplicationEventPublisher events;
@@ -36,6 +40,9 @@ public class Attempts {
       BuildRepository builds,
       AttemptRepository attempts,
       Results results,
+      StoredFiles contents,
+      AnalysisQueue analyses,
+      AnalysisReports reports,
       LiveCases live,
       RetryPolicy retryPolicy,
       ApplicationEventPublisher events,
@@ -43,6 +50,9 @@ public class Attempts {
     this.builds = builds;
     this.attempts = attempts;
     this.results = results;
+    this.contents = contents;
+    this.analyses = analyses;
+    this.reports = reports;
     this.live = live;
     this.retryPolicy = retryPolicy;
     this.events = events;
@@ -116,9 +126,23 @@ public class Attempts {
     return find(key).logStart();
   }
 
-  /** A file of a running attempt's build; agents can only download these files. */
+  /**
+   * The content of a file of a running attempt's build, or of the result that it explains; agents
+   * can only download these files.
+   */
   @Transactional(readOnly = true)
-  public StoredFile file(AttemptKey key, String sha256) {
+  public byte[] content(AttemptKey key, String sha256) {
+    findRunning(key);
+    Build build = builds.findById(key.buildId()).orElseThrow(() -> buildNotFound(key));
+    Optional<String> analysed = build.analysedId().filter(id -> results.sha256(id).equals(sha256));
+    return analysed.isPresent()
+        ? results.document(analysed.get())
+        : contents.content(file(key, sha256).sha256());
+  }
+
+  /** A file of a running attempt's build. */
+  @Transactional(readOnly = true)
+  StoredFile file(AttemptKey key, String sha256) {
     findRunning(key);
     return builds.findById(key.buildId()).orElseThrow(() -> buildNotFound(key)).files().stream()
         .filter(file -> file.sha256().equals(sha256))
@@ -140,6 +164,9 @@ public class Attempts {
     if (attempt.isOver()) {
       return storeLateResult(build, attempt, document);
     }
+    if (build.kind() != BuildKind.TEST) {
+      throw RequestException.malformed("The build is an analysis, so its outcome has no cases.");
+    }
     if (result.cases().size() > build.casesTotal()) {
       throw RequestException.malformed(
           "The result has "
@@ -153,9 +180,47 @@ public class Attempts {
     attempt.endWithResult(sha256, now);
     build.complete(result, now);
     if (build.parentId().isEmpty()) {
+      analyses.explainIfRequested(build);
+    }
+    if (build.parentId().isEmpty()) {
       // The cases of a shard are still shown as those of the whole build.
       live.delete(build.id());
     }
+    events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
+    changed(build);
+    return Delivery.ACCEPTED;
+  }
+
+  /**
+   * Accepts the report of a running analysis. Repeating the call changes nothing.
+   *
+   * @param document the report as JSON
+   * @param sha256 of what the agent sent
+   * @throws OutdatedAttemptException if there is no such attempt
+   */
+  public Delivery deliverAnalysis(AttemptKey key, BuildKind kind, byte[] document, String sha256) {
+    Build build = lock(key);
+    Attempt attempt = find(key);
+    if (attempt.delivered(sha256)) {
+      return Delivery.ACCEPTED;
+    }
+    if (attempt.isOver()) {
+      events.publishEvent(new BuildEvent.Delivered(attempt.key(), attempt.agent()));
+      return build.state() == BuildState.DONE ? Delivery.SUPERSEDED : Delivery.ABANDONED;
+    }
+    if (build.kind() != kind) {
+      throw RequestException.malformed(
+          "The outcome is of the kind "
+              + kind
+              + ", but the build is of the kind "
+              + build.kind()
+              + ".");
+    }
+    Instant now = now();
+    reports.insert(build.id(), document);
+    attempt.endWithResult(sha256, now);
+    build.completeAnalysis(now);
+    live.delete(build.id());
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
     changed(build);
     return Delivery.ACCEPTED;

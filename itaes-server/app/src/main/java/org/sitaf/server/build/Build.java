@@ -25,6 +25,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.BuildSource;
 import org.sitaf.server.build.request.RecordedCases;
+import org.sitaf.server.build.request.Requirement;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.error.RequestException;
@@ -70,6 +71,12 @@ public class Build {
   private @Nullable String buildLabels;
   private int shard;
   private int shards;
+
+  @Enumerated(EnumType.STRING)
+  private BuildKind kind = BuildKind.TEST;
+
+  private @Nullable String analysedId;
+  private boolean explainFailures;
 
   @Enumerated(EnumType.STRING)
   private RecordedCases recordedCases;
@@ -142,6 +149,7 @@ public class Build {
     this.recordedCases = application.recordedCases(options.recordings());
     CaseNumbers numbers = options.cases();
     this.caseNumbers = numbers == null ? null : numbers.merged().toString();
+    this.explainFailures = options.explain();
     if (reservation != null) {
       this.scheduleId = reservation.scheduleId();
       this.fireTime = reservation.fireTime();
@@ -174,6 +182,38 @@ public class Build {
     created.recordedCases = recordedCases;
     created.move(BuildState.QUEUED, now, "shard " + no + " of build " + id);
     shards++;
+    return created;
+  }
+
+  /**
+   * Creates an analysis of this build.
+   *
+   * @param maxCases maximum number of further cases
+   */
+  Build addAnalysis(String analysisId, BuildKind analysis, int maxCases, Instant now) {
+    require(
+        kind == BuildKind.TEST && analysis != BuildKind.TEST && state == BuildState.DONE,
+        "analysed");
+    Build created = new Build();
+    created.id = analysisId;
+    created.activityId = activityId;
+    created.activityName = activityName;
+    created.suiteId = suiteId;
+    created.model = model;
+    created.kind = analysis;
+    created.analysedId = id;
+    created.priority = priority;
+    created.maxAttempts = maxAttempts;
+    created.created = now;
+    created.commitId = commitId;
+    created.buildLabels = buildLabels;
+    created.freeze(
+        new FrozenApplication(
+            language, requirements().with(new Requirement.Analyses()), files, maxCases, maxCases));
+    created.move(
+        BuildState.QUEUED,
+        now,
+        (analysis == BuildKind.SCORE ? "score" : "explanation") + " of build " + id);
     return created;
   }
 
@@ -228,6 +268,13 @@ public class Build {
     cases.set(summary.total() - summary.dont());
     finished = now;
     move(BuildState.DONE, now, "result accepted");
+  }
+
+  /** Ends an analysis whose report was accepted. */
+  void completeAnalysis(Instant now) {
+    require(state.isActive() && kind != BuildKind.TEST, "completed");
+    finished = now;
+    move(BuildState.DONE, now, "report accepted");
   }
 
   /** Ends the build without a result. */
@@ -340,6 +387,25 @@ public class Build {
 
   public int maxAttempts() {
     return maxAttempts;
+  }
+
+  public BuildKind kind() {
+    return kind;
+  }
+
+  /** The build that is analysed; empty for a build that executes cases. */
+  public Optional<String> analysedId() {
+    return Optional.ofNullable(analysedId);
+  }
+
+  /** Whether its failures are explained when it ends. */
+  public boolean explainsFailures() {
+    return explainFailures;
+  }
+
+  /** Whether its verdicts can be trusted and some of them are FAIL or ERROR. */
+  public boolean hasFailures() {
+    return counts != null && suspicions == null && counts.fail() + counts.error() > 0;
   }
 
   /** The build that this shard belongs to; empty for a whole build. */

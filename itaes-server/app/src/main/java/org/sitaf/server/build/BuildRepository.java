@@ -19,6 +19,9 @@ interface BuildRepository extends Repository<Build, String>, JpaSpecificationExe
 
   List<Build> findByActivityId(String activityId);
 
+  Optional<Build> findFirstByAnalysedIdAndKindOrderByCreatedDescIdDesc(
+      String analysedId, BuildKind kind);
+
   List<Build> findByParentIdOrderByShard(String parentId);
 
   @Query(

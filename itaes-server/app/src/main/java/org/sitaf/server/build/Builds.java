@@ -145,6 +145,26 @@ public class Builds {
     return request(suiteId, options.withCases(CaseNumbers.of(failed)), source);
   }
 
+  /**
+   * Requests a build of a case that the suite of an earlier build does not contain.
+   *
+   * @param application with this case alone
+   * @return its id
+   */
+  String requestFurther(String earlierId, TestApplication application) {
+    quotas.requireBuild(application.files());
+    return queue(
+        suites.origin(inspect(earlierId, Build::suiteId)),
+        application,
+        BuildOptions.DEFAULT.withCases(
+            CaseNumbers.of(
+                application.suite().cases().stream()
+                    .map(TestCase::no)
+                    .collect(Collectors.toSet()))),
+        inspect(earlierId, Build::source),
+        null);
+  }
+
   private static TestApplication selected(
       TestApplication application, @Nullable CaseNumbers numbers) {
     if (numbers == null) {
@@ -226,6 +246,7 @@ public class Builds {
     Specification<Build> specification =
         (build, query, is) ->
             is.and(
+                is.equal(build.get("kind"), BuildKind.TEST),
                 filter.activityId() == null
                     ? is.conjunction()
                     : is.equal(build.get("activityId"), filter.activityId()),

@@ -29,6 +29,7 @@ public class Leases {
   private final BuildQueue queue;
   private final RetryPolicy retryPolicy;
   private final LiveCases live;
+  private final AnalysisQueue analyses;
   private final JdbcClient jdbc;
   private final ApplicationEventPublisher events;
   private final SitafSettings settings;
@@ -40,6 +41,7 @@ public class Leases {
       BuildQueue queue,
       RetryPolicy retryPolicy,
       LiveCases live,
+      AnalysisQueue analyses,
       JdbcClient jdbc,
       ApplicationEventPublisher events,
       SitafSettings settings,
@@ -49,6 +51,7 @@ public class Leases {
     this.queue = queue;
     this.retryPolicy = retryPolicy;
     this.live = live;
+    this.analyses = analyses;
     this.jdbc = jdbc;
     this.events = events;
     this.settings = settings;
@@ -58,12 +61,16 @@ public class Leases {
   /**
    * The assignment of an attempt to an agent.
    *
+   * @param kind what the agent does with the application
+   * @param cases number of cases, or the maximum number of further cases of an analysis
    * @param activity name of the activity
    * @param recordingBytes maximum total size of the recordings
    * @param signalBytes maximum total size of the signals
    */
   public record Assignment(
       AttemptKey key,
+      BuildKind kind,
+      int cases,
       String activity,
       String model,
       String language,
@@ -94,10 +101,12 @@ public class Leases {
     return Optional.of(
         new Assignment(
             attempt.key(),
+            build.kind(),
+            build.casesTotal(),
             build.activityName(),
             build.model(),
             build.language(),
-            build.files(),
+            analyses.filesOf(build),
             build.recordedCases(),
             settings.maxRecordings().toBytes(),
             settings.maxSignals().toBytes()));

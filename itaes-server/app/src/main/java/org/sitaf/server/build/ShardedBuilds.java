@@ -41,6 +41,7 @@ class ShardedBuilds implements SmartLifecycle {
   private final StoredFiles contents;
   private final Results results;
   private final LiveCases live;
+  private final AnalysisQueue analyses;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
   private final DiskSpace disk;
@@ -54,6 +55,7 @@ class ShardedBuilds implements SmartLifecycle {
       StoredFiles contents,
       Results results,
       LiveCases live,
+      AnalysisQueue analyses,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
       DiskSpace disk,
@@ -63,6 +65,7 @@ class ShardedBuilds implements SmartLifecycle {
     this.contents = contents;
     this.results = results;
     this.live = live;
+    this.analyses = analyses;
     this.transaction = transaction;
     this.events = events;
     this.disk = disk;
@@ -154,6 +157,7 @@ class ShardedBuilds implements SmartLifecycle {
     parent.updateFromShards(joined.cases().size(), now);
     results.accept(parent.id(), joined, bytes, StoredFiles.sha256(bytes), now);
     parent.complete(joined, now);
+    analyses.explainIfRequested(parent);
     live.delete(parent.id());
   }
 

@@ -54,6 +54,8 @@ class Schedule {
   @Enumerated(EnumType.STRING)
   private @Nullable RecordedCases recordedCases;
 
+  private boolean explainFailures;
+
   private Instant created;
   private @Nullable Instant fired;
 
@@ -117,6 +119,7 @@ class Schedule {
     this.toolchain = options.agent().toolchain();
     this.labels = String.join(SEPARATOR, new TreeSet<>(options.agent().labels()));
     this.recordedCases = options.recordings();
+    this.explainFailures = options.explain();
     this.created = now;
   }
 
@@ -172,7 +175,8 @@ class Schedule {
         new AgentConstraints(
             toolchain, labels.isEmpty() ? Set.of() : Set.of(labels.split(SEPARATOR))),
         recordedCases,
-        null);
+        null,
+        explainFailures);
   }
 
   Instant created() {

@@ -58,7 +58,9 @@ record ScheduleRequest(
         @Nullable String toolchain,
     @Schema(description = "required labels of the agent") @Nullable Set<String> labels,
     @Schema(description = "which cases are recorded in the simulation, as in a build request")
-        @Nullable RecordedCases recordings) {
+        @Nullable RecordedCases recordings,
+    @Schema(description = "whether the failures of the builds are explained; default false")
+        @Nullable Boolean explain) {
   private static final int MAX_NAME = 200;
 
   Schedule.Subject subject(Schedules schedules) {
@@ -96,7 +98,8 @@ record ScheduleRequest(
         new AgentConstraints(
             toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
         recordings,
-        null);
+        null,
+        Boolean.TRUE.equals(explain));
   }
 
   Misfire misfireOrDefault() {

@@ -41,6 +41,7 @@ record ScheduleView(
     @Nullable String toolchain,
     List<String> labels,
     @Nullable RecordedCases recordings,
+    @Schema(description = "whether the failures of the builds are explained") boolean explain,
     Instant created,
     @Schema(description = "time of the last build; absent if there was none")
         @Nullable Instant fired,
@@ -93,6 +94,7 @@ record ScheduleView(
         options.agent().toolchain().isEmpty() ? null : options.agent().toolchain(),
         List.copyOf(new TreeSet<>(options.agent().labels())),
         options.recordings(),
+        options.explain(),
         schedule.created(),
         schedule.fired().orElse(null),
         next);

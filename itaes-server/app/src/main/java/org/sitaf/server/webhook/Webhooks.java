@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Secret;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildEvent;
+import org.sitaf.server.build.BuildKind;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.error.RequestException;
 import org.springframework.data.domain.PageRequest;
@@ -92,6 +93,9 @@ class Webhooks {
     }
     List<Webhook> all = jdbc.sql(COLUMNS).query(Webhooks::webhook).list();
     if (all.isEmpty()) {
+      return;
+    }
+    if (builds.inspect(changed.buildId(), Build::kind) != BuildKind.TEST) {
       return;
     }
     Map<String, Object> payload = builds.inspect(changed.buildId(), Webhooks::payload);

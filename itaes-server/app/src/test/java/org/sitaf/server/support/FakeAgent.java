@@ -26,6 +26,7 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.v1.AgentMessage;
 import org.sitaf.agent.v1.AgentServiceGrpc;
+import org.sitaf.agent.v1.AnalysisReport;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
@@ -206,6 +207,7 @@ public final class FakeAgent implements AutoCloseable {
                         .setVersion("test")
                         .setSlots(slots)
                         .setSimulation(true)
+                        .setAnalyses(true)
                         .addAllLabels(labels)
                         .addToolchains(
                             Toolchain.newBuilder().setLanguage(language).setVersion("test"))
@@ -400,6 +402,18 @@ public final class FakeAgent implements AutoCloseable {
     }
     chunks.onCompleted();
     return accepted.get(TIMEOUT_S, TimeUnit.SECONDS);
+  }
+
+  /** Submits the report of an analysis. */
+  public boolean submit(AttemptRef attempt, AnalysisReport report) {
+    return calls
+        .submitResult(
+            SubmitResultRequest.newBuilder()
+                .setAttempt(attempt)
+                .setAnalysis(report)
+                .setSha256(StoredFiles.sha256(report.toByteArray()))
+                .build())
+        .getAccepted();
   }
 
   public boolean submit(AttemptRef attempt, BuildFailure failure) {

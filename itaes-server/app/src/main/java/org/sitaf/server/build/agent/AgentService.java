@@ -7,6 +7,7 @@ import java.time.Clock;
 import java.util.function.Supplier;
 import org.sitaf.agent.v1.AgentMessage;
 import org.sitaf.agent.v1.AgentServiceGrpc;
+import org.sitaf.agent.v1.AnalysisReport;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.AppendLogResponse;
 import org.sitaf.agent.v1.BuildFailure;
@@ -38,6 +39,7 @@ import org.sitaf.server.result.Results;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.storage.DiskSpace;
 import org.springframework.stereotype.Service;
+import tools.jackson.databind.json.JsonMapper;
 
 /** The gRPC service for agents; see agent.proto. */
 @Service
@@ -52,7 +54,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private final BuildLogs logs;
   private final Recordings recordings;
   private final StoredSignals signals;
-  private final StoredFiles contents;
+  private final JsonMapper json;
   private final SitafSettings settings;
   private final DiskSpace disk;
   private final UploadMemory memory;
@@ -66,7 +68,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       BuildLogs logs,
       Recordings recordings,
       StoredSignals signals,
-      StoredFiles contents,
+      JsonMapper json,
       SitafSettings settings,
       DiskSpace disk,
       UploadMemory memory,
@@ -78,7 +80,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     this.logs = logs;
     this.recordings = recordings;
     this.signals = signals;
-    this.contents = contents;
+    this.json = json;
     this.settings = settings;
     this.disk = disk;
     this.memory = memory;
@@ -111,7 +113,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     byte[] content;
     try {
       AttemptKey key = Messages.toKey(request.getAttempt());
-      content = contents.content(attempts.file(key, request.getSha256()).sha256());
+      content = attempts.content(key, request.getSha256());
     } catch (RuntimeException e) {
       responses.onError(GrpcStatus.exception(e));
       return;
@@ -231,14 +233,17 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
         switch (request.getOutcomeCase()) {
           case RESULT_DESCRIPTOR -> deliver(key, descriptor, request.getSha256());
           case FAILURE -> fail(key, request.getFailure());
+          case ANALYSIS -> deliver(key, request.getAnalysis(), request.getSha256());
           case OUTCOME_NOT_SET ->
               throw RequestException.malformed(
-                  "outcome: must be a result_descriptor or a failure.");
+                  "outcome: must be a result_descriptor, a failure or an analysis.");
         };
+    int size =
+        request.hasAnalysis() ? request.getAnalysis().getSerializedSize() : descriptor.length;
     return SubmitResultResponse.newBuilder()
         .setAccepted(accepted)
         .setSha256(request.getSha256())
-        .setSize(descriptor.length)
+        .setSize(size)
         .setLogSize(logs.size(key))
         .build();
   }
@@ -249,7 +254,26 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       throw RequestException.malformed(
           "sha256: is " + sha256 + ", but the document's is " + actual + ".");
     }
-    Delivery delivery = attempts.deliver(key, Results.read(document), document, sha256);
+    return accepted(attempts.deliver(key, Results.read(document), document, sha256));
+  }
+
+  private boolean deliver(AttemptKey key, AnalysisReport report, String sha256) {
+    byte[] encoded = report.toByteArray();
+    String actual = StoredFiles.sha256(encoded);
+    if (!actual.equals(sha256)) {
+      throw RequestException.malformed(
+          "sha256: is " + sha256 + ", but the analysis' is " + actual + ".");
+    }
+    disk.requireFor(encoded.length);
+    return accepted(
+        attempts.deliverAnalysis(
+            key,
+            AnalysisMessages.kind(report),
+            json.writeValueAsBytes(AnalysisMessages.document(report)),
+            sha256));
+  }
+
+  private static boolean accepted(Delivery delivery) {
     if (delivery == Delivery.ABANDONED) {
       throw io.grpc.Status.FAILED_PRECONDITION
           .withDescription("the attempt was abandoned")

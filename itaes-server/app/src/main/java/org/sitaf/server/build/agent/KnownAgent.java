@@ -37,6 +37,7 @@ class KnownAgent {
 
   private String labels;
   private boolean simulation;
+  private boolean analyses;
 
   @Enumerated(EnumType.STRING)
   private Standing standing = Standing.ACTIVE;
@@ -80,6 +81,7 @@ class KnownAgent {
     offers.toolchains().forEach(t -> toolchains.add(new Toolchain(t.language(), t.version())));
     labels = String.join(",", new TreeSet<>(offers.labels()));
     simulation = offers.simulation();
+    analyses = offers.analyses();
     refuses = newRefuses;
     lastSeen = now;
     connected = true;
@@ -113,6 +115,7 @@ class KnownAgent {
             .map(t -> new Capabilities.Toolchain(t.language(), t.version()))
             .toList(),
         simulation,
+        analyses,
         labels.isEmpty() ? Set.of() : Set.of(labels.split(",")));
   }
 

@@ -3,6 +3,7 @@ package org.sitaf.server.build.agent;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
+import org.sitaf.agent.v1.AnalysisOrder;
 import org.sitaf.agent.v1.ApplicationFile;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
@@ -18,6 +19,7 @@ import org.sitaf.core.verdict.Verdict;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
+import org.sitaf.server.build.BuildKind;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.recording.Recordings;
@@ -69,6 +71,15 @@ final class Messages {
                 SignalLimits.newBuilder()
                     .setMaxCases(StoredSignals.MAX_CASES)
                     .setMaxBytes(assignment.signalBytes()));
+    if (assignment.kind() != BuildKind.TEST) {
+      message.setAnalysis(
+          AnalysisOrder.newBuilder()
+              .setKind(
+                  assignment.kind() == BuildKind.SCORE
+                      ? AnalysisOrder.Kind.SCORE
+                      : AnalysisOrder.Kind.EXPLANATION)
+              .setMaxCases(assignment.cases()));
+    }
     assignment.files().stream()
         .sorted(java.util.Comparator.comparing(f -> f.path()))
         .forEach(
@@ -193,6 +204,7 @@ final class Messages {
             .map(t -> new Capabilities.Toolchain(t.getLanguage(), t.getVersion()))
             .toList(),
         register.getSimulation(),
+        register.getAnalyses(),
         Set.copyOf(register.getLabelsList()));
   }
 

@@ -14,6 +14,7 @@ import org.sitaf.server.error.RequestException;
  * @param agent what the agent must provide
  * @param recordings which cases are recorded; null for {@link RecordedCases#byDefault}
  * @param cases the cases to execute, which keep their numbers; null for all
+ * @param explain whether failures are explained when the build ends
  */
 public record BuildOptions(
     int priority,
@@ -21,9 +22,10 @@ public record BuildOptions(
     @Nullable Integer retries,
     AgentConstraints agent,
     @Nullable RecordedCases recordings,
-    @Nullable CaseNumbers cases) {
+    @Nullable CaseNumbers cases,
+    boolean explain) {
   public static final BuildOptions DEFAULT =
-      new BuildOptions(0, 1, null, AgentConstraints.NONE, null, null);
+      new BuildOptions(0, 1, null, AgentConstraints.NONE, null, null, false);
 
   private static final int MAX_PRIORITY = 100;
   private static final int MAX_SHARDS = 100;
@@ -50,6 +52,6 @@ public record BuildOptions(
 
   /** These options for other cases; null for all. */
   public BuildOptions withCases(@Nullable CaseNumbers numbers) {
-    return new BuildOptions(priority, shards, retries, agent, recordings, numbers);
+    return new BuildOptions(priority, shards, retries, agent, recordings, numbers, explain);
   }
 }

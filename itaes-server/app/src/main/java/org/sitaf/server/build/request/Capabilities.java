@@ -7,9 +7,11 @@ import java.util.Set;
  * What an agent provides.
  *
  * @param simulation whether it can run simulations
+ * @param analyses whether it accepts analyses of builds
  * @param labels set by its operator, such as {@code real-hardware}
  */
-public record Capabilities(List<Toolchain> toolchains, boolean simulation, Set<String> labels) {
+public record Capabilities(
+    List<Toolchain> toolchains, boolean simulation, boolean analyses, Set<String> labels) {
   public Capabilities {
     toolchains = List.copyOf(toolchains);
     labels = Set.copyOf(labels);

@@ -48,6 +48,19 @@ public sealed interface Requirement {
     }
   }
 
+  /** The agent accepts analyses of builds. */
+  record Analyses() implements Requirement {
+    @Override
+    public boolean isMetBy(Capabilities agent) {
+      return agent.analyses();
+    }
+
+    @Override
+    public String words() {
+      return "analyses of builds";
+    }
+  }
+
   /** A label of the agent. */
   record Label(String name) implements Requirement {
     @Override

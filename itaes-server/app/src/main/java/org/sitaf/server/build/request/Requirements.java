@@ -19,6 +19,7 @@ public record Requirements(List<Requirement> all) {
   private static final String VERSION = "version ";
   private static final String LABEL = "label ";
   private static final String SIMULATION = "simulation";
+  private static final String ANALYSES = "analyses";
   private static final String SEPARATOR = ", ";
 
   public Requirements {
@@ -42,6 +43,11 @@ public record Requirements(List<Requirement> all) {
     }
     constraints.labels().forEach(label -> requirements.add(new Label(label)));
     return new Requirements(requirements);
+  }
+
+  /** These requirements and another one. */
+  public Requirements with(Requirement further) {
+    return new Requirements(Stream.concat(all.stream(), Stream.of(further)).toList());
   }
 
   /** Parses the result of {@link #text()}. */
@@ -86,7 +92,7 @@ public record Requirements(List<Requirement> all) {
     if (requirement instanceof Label label) {
       return LABEL + label.name();
     }
-    return SIMULATION;
+    return requirement instanceof Requirement.Analyses ? ANALYSES : SIMULATION;
   }
 
   private static Requirement parseOne(String text) {
@@ -99,6 +105,9 @@ public record Requirements(List<Requirement> all) {
     }
     if (text.startsWith(LABEL)) {
       return new Label(text.substring(LABEL.length()));
+    }
+    if (text.equals(ANALYSES)) {
+      return new Requirement.Analyses();
     }
     if (text.equals(SIMULATION)) {
       return new Simulation();

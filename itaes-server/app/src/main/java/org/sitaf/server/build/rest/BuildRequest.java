@@ -48,7 +48,9 @@ record BuildRequest(
             description =
                 "id of a build of the same suite whose cases that did not pass are executed; not"
                     + " together with cases")
-        @Nullable String failedOf) {
+        @Nullable String failedOf,
+    @Schema(description = "whether the failures are explained when the build ends; default false")
+        @Nullable Boolean explain) {
 
   BuildSource source() {
     return new BuildSource(
@@ -64,7 +66,8 @@ record BuildRequest(
         new AgentConstraints(
             toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
         recordings,
-        numbers());
+        numbers(),
+        Boolean.TRUE.equals(explain));
   }
 
   private @Nullable CaseNumbers numbers() {

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.AttemptSummary;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
+import org.sitaf.server.build.BuildKind;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.CaseCounts;
 import org.sitaf.server.build.Transition;
@@ -64,7 +65,13 @@ record BuildView(
     @Schema(description = "what the requester says about the build, by key")
         Map<String, String> buildLabels,
     @Schema(description = "the cases that were requested, such as 9,12-20; absent for all")
-        @Nullable String cases) {
+        @Nullable String cases,
+    @Schema(description = "TEST: executes cases; otherwise an analysis of another build")
+        BuildKind kind,
+    @Schema(description = "build that is analysed; absent for kind TEST")
+        @Nullable String analysedId,
+    @Schema(description = "whether the failures are explained when the build ends")
+        boolean explain) {
 
   /** The states of {@link BuildState}, except those of attempts only. */
   enum State {
@@ -194,7 +201,10 @@ record BuildView(
         build.maxAttempts() - 1,
         build.source().commit(),
         new TreeMap<>(build.source().labels()),
-        build.caseNumbers().orElse(null));
+        build.caseNumbers().orElse(null),
+        build.kind(),
+        build.analysedId().orElse(null),
+        build.explainsFailures());
   }
 
   private static <R extends Requirement> Stream<R> requirements(Build build, Class<R> kind) {
