@@ -40,7 +40,15 @@ export interface SuiteSearch {
   file?: string;
 }
 
-export const BUILD_TABS = ['table', 'states', 'graphs', 'coverage', 'log', 'history'] as const;
+export const BUILD_TABS = [
+  'table',
+  'states',
+  'score',
+  'graphs',
+  'coverage',
+  'log',
+  'history',
+] as const;
 export type BuildTab = (typeof BUILD_TABS)[number];
 
 export interface BuildSearch {
@@ -138,6 +146,7 @@ export function newScheduleSearch(raw: Raw): NewScheduleSearch {
     ...textIn(raw, 'toolchain'),
     ...textsIn(raw, 'labels'),
     ...choiceIn(raw, 'recordings', RECORDED_CASES),
+    ...(raw.explain === true && { explain: true }),
   };
 }
 

@@ -5,6 +5,7 @@ import type {
   ActivityDescription,
   Agent,
   Build,
+  BuildAnalysis,
   BuildRequest,
   CaseSignals,
   Diagnostic,
@@ -52,11 +53,13 @@ const NOUNS = [
   'cancel',
   'calendars',
   'cases',
+  'causes',
   'comparison',
   'coverage',
   'description',
   'differences',
   'expected',
+  'explanation',
   'failures',
   'files',
   'log',
@@ -66,7 +69,9 @@ const NOUNS = [
   'preview',
   'recordings',
   'result',
+  'run',
   'schedules',
+  'score',
   'session',
   'signals',
   'suites',
@@ -95,6 +100,10 @@ export class FakeServer {
   readonly caseLogs = new Map<string, string>();
   /** Binary glTF by build and case: `b1 7`. */
   readonly recordings = new Map<string, Uint8Array>();
+  /** Explanations and scores: `b1 explanation`. */
+  readonly analyses = new Map<string, BuildAnalysis>();
+  /** The analysis that a request gets. */
+  requestedAnalysis: BuildAnalysis | undefined;
   /** The signals of cases: `b1 7`. */
   readonly signals = new Map<string, CaseSignals>();
   agents: Agent[] = [AGENT];
@@ -261,6 +270,19 @@ export class FakeServer {
       this.checks.push(body);
       return { status: 200, json: { diagnostics: this.problems } };
     },
+    'GET builds * explanation': ({ path }) => found(this.analyses.get(`${path[1]} explanation`)),
+    'POST builds * explanation': ({ path }) => {
+      if (!this.requestedAnalysis) return conflict();
+      this.analyses.set(`${path[1]} explanation`, this.requestedAnalysis);
+      return { status: 201, json: this.requestedAnalysis };
+    },
+    'GET builds * score': ({ path }) => found(this.analyses.get(`${path[1]} score`)),
+    'POST builds * score': ({ path }) => {
+      if (!this.requestedAnalysis) return conflict();
+      this.analyses.set(`${path[1]} score`, this.requestedAnalysis);
+      return { status: 201, json: this.requestedAnalysis };
+    },
+    'POST builds * explanation causes * run': () => ({ status: 201, json: { id: 'b2' } }),
     'GET session': () => ({
       status: 200,
       json: { name: 'tester', role: 'TESTER', kind: 'PERSON' },

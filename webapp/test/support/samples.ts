@@ -96,6 +96,8 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
     retries: 2,
     buildLabels: {},
     suspicions: [],
+    kind: 'TEST',
+    explain: false,
     ...changes,
   };
 }

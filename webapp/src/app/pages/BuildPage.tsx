@@ -1,10 +1,11 @@
 import { Group, Stack, Title } from '@mantine/core';
-import { getRouteApi } from '@tanstack/react-router';
+import { getRouteApi, useNavigate } from '@tanstack/react-router';
 import type { ReactNode } from 'react';
 import { BuildAgain, RunCaseAgain } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type BuildSearch, type BuildTab } from '@/app/search';
+import { CausePanel, ScorePanel } from '@/features/analyses';
 import {
   BuildLog,
   BuildOverview,
@@ -75,6 +76,7 @@ export function BuildPage() {
             buildId={buildId}
             filter={wantedCases}
             onFilter={filter}
+            cause={<Causes build={build.data} />}
             caseNo={shown.case}
             onCase={(no) => {
               show(withoutAbsent<BuildSearch>({ ...shown, case: no }));
@@ -118,6 +120,11 @@ export function BuildPage() {
       : []),
     ...(done
       ? [
+          {
+            value: 'score' as const,
+            label: 'Score',
+            content: () => <ScorePanel build={build.data} />,
+          },
           {
             value: 'graphs' as const,
             label: 'Graphs',
@@ -193,6 +200,26 @@ export function BuildPage() {
         }}
       />
     </Stack>
+  );
+}
+
+/** The causes of the failures, drawn over the first cases of the result. */
+function Causes({ build }: { build: Build }) {
+  const navigate = useNavigate();
+  const cases = useFirstCases(build.id, {});
+  return (
+    <CausePanel
+      build={build}
+      cases={(cases.data?.items ?? [])
+        .filter(({ verdict }) => verdict !== 'DONT')
+        .map(({ values, verdict }) => ({ values, failed: verdict !== 'PASS' }))}
+      caseLink={(no) => (
+        <RouteLink to="/builds/$buildId" params={{ buildId: build.id }} search={{ case: no }}>
+          {no}
+        </RouteLink>
+      )}
+      onBuild={(id) => void navigate({ to: '/builds/$buildId', params: { buildId: id } })}
+    />
   );
 }
 

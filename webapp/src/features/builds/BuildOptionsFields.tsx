@@ -1,4 +1,12 @@
-import { NativeSelect, NumberInput, SimpleGrid, Stack, TagsInput, TextInput } from '@mantine/core';
+import {
+  Checkbox,
+  NativeSelect,
+  NumberInput,
+  SimpleGrid,
+  Stack,
+  TagsInput,
+  TextInput,
+} from '@mantine/core';
 import { RECORDINGS } from '@/shared/lib/recordings';
 import type { BuildOptions } from './options';
 
@@ -74,6 +82,14 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
             ...options,
             recordings: RECORDINGS.find((known) => known.value === value)?.value ?? '',
           });
+        }}
+      />
+      <Checkbox
+        label="Explain failures"
+        description="Further cases are executed if a case fails."
+        checked={options.explain}
+        onChange={({ currentTarget: { checked } }) => {
+          onOptions({ ...options, explain: checked });
         }}
       />
     </Stack>

@@ -9,6 +9,7 @@ export interface BuildOptions {
   toolchain: string;
   labels: string[];
   recordings: RecordingsOption;
+  explain: boolean;
 }
 
 export const DEFAULT_OPTIONS: BuildOptions = {
@@ -18,6 +19,7 @@ export const DEFAULT_OPTIONS: BuildOptions = {
   toolchain: '',
   labels: [],
   recordings: '',
+  explain: false,
 };
 
 /** The options of a build as the server takes them. */
@@ -25,7 +27,15 @@ export type RequestedOptions = Omit<BuildRequest, 'suiteId'>;
 
 /** The form's fields for options that were requested before. */
 export function optionsFrom(requested: RequestedOptions): BuildOptions {
-  const { priority = 0, shards = 1, retries, toolchain = '', labels = [], recordings } = requested;
+  const {
+    priority = 0,
+    shards = 1,
+    retries,
+    toolchain = '',
+    labels = [],
+    recordings,
+    explain = false,
+  } = requested;
   return {
     priority: String(priority),
     shards: String(shards),
@@ -33,12 +43,13 @@ export function optionsFrom(requested: RequestedOptions): BuildOptions {
     toolchain,
     labels,
     recordings: recordings ?? '',
+    explain,
   };
 }
 
 /** The options to send; defaults are left out. */
 export function requestOf(options: BuildOptions): RequestedOptions {
-  const { priority, shards, retries, toolchain, labels, recordings } = options;
+  const { priority, shards, retries, toolchain, labels, recordings, explain } = options;
   return {
     ...(Number(priority) !== 0 && { priority: Number(priority) }),
     ...(Number(shards) > 1 && { shards: Number(shards) }),
@@ -46,6 +57,7 @@ export function requestOf(options: BuildOptions): RequestedOptions {
     ...(toolchain.trim() !== '' && { toolchain: toolchain.trim() }),
     ...(labels.length > 0 && { labels }),
     ...(recordings !== '' && { recordings }),
+    ...(explain && { explain }),
   };
 }
 
@@ -57,7 +69,7 @@ const RECORDED: Record<Exclude<RecordingsOption, ''>, string> = {
 
 /** A short text for a button; empty if all options have their default. */
 export function describeOptions(options: BuildOptions): string {
-  const { priority, shards, retries, toolchain, labels, recordings } = options;
+  const { priority, shards, retries, toolchain, labels, recordings, explain } = options;
   return [
     Number(priority) !== 0 && `priority ${priority}`,
     Number(shards) > 1 && `${shards} shards`,
@@ -65,6 +77,7 @@ export function describeOptions(options: BuildOptions): string {
     toolchain.trim() !== '' && `toolchain ${toolchain.trim()}`,
     labels.length > 0 && `labels ${labels.join(', ')}`,
     recordings !== '' && RECORDED[recordings],
+    explain && 'failures explained',
   ]
     .filter(Boolean)
     .join(', ');

@@ -87,14 +87,18 @@ export function useCase(buildId: string, no: number | undefined) {
   return useQuery({
     queryKey: [RESULTS, buildId, 'case', no],
     queryFn: async ({ signal }) => {
-      // Cases are numbered from 1, without gaps.
-      const { items } = await dataOf(
-        api.GET('/api/v1/builds/{id}/result/cases', {
-          params: { path: { id: buildId }, query: { page: (no ?? 1) - 1, size: 1 } },
-          signal,
-        }),
-      );
-      return items.find((item) => item.no === no) ?? null;
+      const pageOf = (page: number, size: number) =>
+        dataOf(
+          api.GET('/api/v1/builds/{id}/result/cases', {
+            params: { path: { id: buildId }, query: { page, size } },
+            signal,
+          }),
+        );
+      // The cases of a suite are numbered from 1, without gaps; a build of some cases has gaps.
+      const own = (await pageOf((no ?? 1) - 1, 1)).items.find((item) => item.no === no);
+      if (own) return own;
+      const first = await pageOf(0, CASES_PER_PAGE);
+      return first.items.find((item) => item.no === no) ?? null;
     },
     enabled: no !== undefined,
     staleTime: Infinity,

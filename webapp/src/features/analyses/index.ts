@@ -1,0 +1,2 @@
+export { CausePanel } from './CausePanel';
+export { ScorePanel } from './ScorePanel';

@@ -1,0 +1,69 @@
+import { useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
+import { ApiError, dataOf, useApi, type BuildAnalysis } from '@/shared/api';
+
+const ANALYSES = 'analyses';
+const REFRESH_MS = 1_000;
+
+/** The analyses of a build, as in the paths of the REST interface. */
+export type AnalysisKind = 'explanation' | 'score';
+
+const ENDED: readonly BuildAnalysis['state'][] = ['DONE', 'FAILED', 'CANCELLED'];
+
+export function isEnded({ state }: BuildAnalysis): boolean {
+  return ENDED.includes(state);
+}
+
+/** The latest analysis of a build; null if none was requested. */
+export function useAnalysis(buildId: string, kind: AnalysisKind) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [ANALYSES, buildId, kind],
+    queryFn: async ({ signal }) => {
+      try {
+        return await dataOf(
+          api.GET(`/api/v1/builds/{id}/${kind}`, { params: { path: { id: buildId } }, signal }),
+        );
+      } catch (cause) {
+        if (cause instanceof ApiError && cause.status === 404) return null;
+        throw cause;
+      }
+    },
+    refetchInterval: ({ state }) => (state.data && !isEnded(state.data) ? REFRESH_MS : false),
+  });
+}
+
+export function useRequestAnalysis(buildId: string, kind: AnalysisKind) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: () =>
+      dataOf(api.POST(`/api/v1/builds/{id}/${kind}`, { params: { path: { id: buildId } } })),
+    onSuccess: (analysis) => {
+      cache.setQueryData([ANALYSES, buildId, kind], analysis);
+    },
+  });
+}
+
+/** Cancels an analysis, which is a build of its own. */
+export function useCancelAnalysis(buildId: string, kind: AnalysisKind) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (id: string) =>
+      dataOf(api.POST('/api/v1/builds/{id}/cancel', { params: { path: { id } } })),
+    onSettled: () => cache.invalidateQueries({ queryKey: [ANALYSES, buildId, kind] }),
+  });
+}
+
+/** Requests a build of the simplest case of a cause; causes count from 1. */
+export function useRunSimplest(buildId: string) {
+  const api = useApi();
+  return useMutation({
+    mutationFn: (no: number) =>
+      dataOf(
+        api.POST('/api/v1/builds/{id}/explanation/causes/{no}/run', {
+          params: { path: { id: buildId, no } },
+        }),
+      ),
+  });
+}

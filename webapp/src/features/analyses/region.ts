@@ -1,0 +1,101 @@
+import type { Cause, Explanation } from '@/shared/api';
+
+/** An executed case: literals in the order of the inputs. */
+export interface ExecutedCase {
+  values: readonly string[];
+  failed: boolean;
+}
+
+export type CellState = 'fails' | 'passes' | 'both' | 'unknown';
+
+/** What the executed cases did, over two inputs. */
+export interface Region {
+  x: string;
+  y: string;
+  columns: readonly string[];
+  rows: readonly string[];
+  /** By row, then by column. */
+  cells: readonly (readonly CellState[])[];
+}
+
+const MAX_LEVELS = 24;
+
+/** The causes that are one sentence: same boundary, same other values. Positions count from 1. */
+export interface CauseGroup {
+  first: Cause;
+  position: number;
+  cases: readonly number[];
+}
+
+export function groupsOf(causes: readonly Cause[]): CauseGroup[] {
+  const groups = new Map<string, CauseGroup>();
+  for (const [index, cause] of causes.entries()) {
+    const key = cause.boundary ? cause.sentence : `${index}`;
+    const known = groups.get(key);
+    groups.set(
+      key,
+      known
+        ? { ...known, cases: merged(known.cases, cause.cases) }
+        : { first: cause, position: index + 1, cases: cause.cases },
+    );
+  }
+  return [...groups.values()];
+}
+
+function merged(one: readonly number[], other: readonly number[]): number[] {
+  return [...new Set([...one, ...other])].sort((a, b) => a - b);
+}
+
+/** The two inputs that tell most of a cause, and what failed over them; null if there are none. */
+export function regionOf(
+  cause: Cause,
+  { inputs, further }: Explanation,
+  cases: readonly ExecutedCase[],
+): Region | null {
+  const varying = inputs.filter(({ values }) => values.length > 1);
+  const own = varying.filter(({ name }) => concerns(cause, name));
+  const others = varying
+    .filter((input) => !own.includes(input))
+    .sort((a, b) => Number(b.numeric) - Number(a.numeric) || b.values.length - a.values.length);
+  const [x, y] = [...own, ...others];
+  if (cause.steps.length > 0 || own.length === 0 || !x || !y) return null;
+  const columns = levelsOf(x);
+  const rows = levelsOf(y);
+  const at = (name: string) => inputs.findIndex((input) => input.name === name);
+  const [column, row] = [at(x.name), at(y.name)];
+  const seen = new Map<string, { failed: boolean; passed: boolean }>();
+  for (const { values, failed } of [...cases, ...further]) {
+    const key = keyOf(values[column] ?? '', values[row] ?? '');
+    const before = seen.get(key) ?? { failed: false, passed: false };
+    seen.set(key, { failed: before.failed || failed, passed: before.passed || !failed });
+  }
+  return {
+    x: x.name,
+    y: y.name,
+    columns,
+    rows,
+    cells: rows.map((r) => columns.map((c) => stateOf(seen.get(keyOf(c, r))))),
+  };
+}
+
+function concerns(cause: Cause, name: string): boolean {
+  if (cause.parameters.some((parameter) => parameter.name === name)) return true;
+  return (cause.relation ?? '').split(/[^\w.[\]]+/).includes(name);
+}
+
+function stateOf(seen: { failed: boolean; passed: boolean } | undefined): CellState {
+  if (!seen) return 'unknown';
+  if (seen.failed && seen.passed) return 'both';
+  return seen.failed ? 'fails' : 'passes';
+}
+
+function keyOf(x: string, y: string): string {
+  return JSON.stringify([x, y]);
+}
+
+/** Numbers ascend; other literals keep their order. */
+function levelsOf({ numeric, values }: Explanation['inputs'][number]): string[] {
+  const levels = [...values];
+  if (numeric) levels.sort((a, b) => Number(a) - Number(b));
+  return levels.slice(0, MAX_LEVELS);
+}

@@ -1,0 +1,165 @@
+import { screen, within } from '@testing-library/react';
+import userEvent from '@testing-library/user-event';
+import { describe, expect, test } from 'vitest';
+import { regionOf } from '@/features/analyses/region';
+import type { BuildAnalysis, Cause, Explanation } from '@/shared/api';
+import { eachWithServer } from './support/eachWithServer';
+import type { FakeServer } from './support/FakeServer';
+import { openPortal } from './support/openPortal';
+import { build, doneBuild, resultCase } from './support/samples';
+
+let server: FakeServer;
+
+eachWithServer((started) => {
+  server = started;
+});
+
+const OF_ALL: Cause = {
+  parameters: [],
+  verdict: 'FAIL',
+  message: 'return is 10.0',
+  cases: [1, 3],
+  simplest: [
+    { name: 'IndexOfSensor', literal: '1' },
+    { name: 'NumOfSensor', literal: '1' },
+    { name: 'Distance', literal: '9.5' },
+  ],
+  executions: 60,
+  steps: [],
+  sentence: 'fails in every case',
+  record: [{ name: 'verdict', literal: 'FAIL' }],
+};
+
+const CAUSE: Cause = {
+  ...OF_ALL,
+  parameters: [{ name: 'Distance', literal: '9.5' }],
+  boundary: { parameter: 'Distance', passes: '5.25', fails: '5.250000000000001' },
+  sentence: 'fails where `Distance` is above 5.25, whatever the rest',
+};
+
+const EXPLANATION: Explanation = {
+  causes: [
+    CAUSE,
+    { ...CAUSE, parameters: [{ name: 'Distance', literal: '10.0' }], cases: [2, 3] },
+    {
+      ...OF_ALL,
+      relation: 'IndexOfSensor == NumOfSensor',
+      sentence: 'fails where IndexOfSensor == NumOfSensor, whatever the rest',
+      cases: [4],
+    },
+  ],
+  executions: 61,
+  unexplained: [5],
+  further: [{ values: ['1', '1', '5.0'], failed: false }],
+  inputs: [
+    { name: 'IndexOfSensor', numeric: true, values: ['2', '1'], invalid: [] },
+    { name: 'NumOfSensor', numeric: true, values: ['1', '2'], invalid: [] },
+    { name: 'Distance', numeric: true, values: ['9.5', '10.0', '5.0', '-1'], invalid: ['-1'] },
+  ],
+};
+
+function analysis(changes: Partial<BuildAnalysis>): BuildAnalysis {
+  return {
+    id: 'x1',
+    state: 'DONE',
+    created: '2026-03-01T10:01:00Z',
+    executed: 61,
+    maxCases: 500,
+    ...changes,
+  };
+}
+
+describe('causes of failures', () => {
+  test('are requested, and shown above the cases with one row for each boundary', async () => {
+    const cases = [resultCase(1, 'FAIL'), resultCase(2, 'PASS')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases), build('b2'));
+    server.requestedAnalysis = analysis({ explanation: EXPLANATION });
+    openPortal(server, '/builds/b1');
+    await userEvent.click(await screen.findByRole('button', { name: 'Explain' }));
+    const first = await screen.findByRole('group', { name: 'Cause 1' });
+    expect(within(first).getByText(/^Fails where `Distance` is above 5.25/)).toBeVisible();
+    expect(within(first).getAllByRole('link', { name: /^\d+$/ })).toHaveLength(3);
+    expect(within(first).getByRole('img', { name: /^Distance passes with 5.25/ })).toBeVisible();
+    expect(within(first).getByRole('link', { name: 'Download bundle' })).toHaveAttribute(
+      'href',
+      '/api/v1/builds/b1/explanation/causes/1/bundle',
+    );
+    expect(screen.queryByRole('group', { name: 'Cause 2' })).toBeNull();
+    const relation = screen.getByRole('group', { name: 'Cause 3' });
+    expect(
+      within(relation).getByRole('img', {
+        name: 'Failing cases over IndexOfSensor and NumOfSensor',
+      }),
+    ).toBeVisible();
+    expect(screen.getByText(/^Not explained:/)).toBeVisible();
+    await userEvent.click(within(relation).getByRole('button', { name: 'Run again' }));
+    expect(server.requests).toContain('POST /api/v1/builds/b1/explanation/causes/3/run');
+  });
+
+  test('show how far the explanation is, and can be cancelled', async () => {
+    const cases = [resultCase(1, 'FAIL')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases), build('x1', { state: 'RUNNING' }));
+    server.analyses.set('b1 explanation', analysis({ state: 'RUNNING', executed: 12 }));
+    openPortal(server, '/builds/b1');
+    expect(await screen.findByText('12 of at most 500 further cases executed')).toBeVisible();
+    await userEvent.click(screen.getByRole('button', { name: 'Cancel' }));
+    expect(server.requests).toContain('POST /api/v1/builds/x1/cancel');
+  });
+
+  test('are not offered if all cases passed', async () => {
+    const cases = [resultCase(1, 'PASS')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1');
+    await screen.findByRole('table', { name: 'Cases' });
+    expect(screen.queryByRole('button', { name: 'Explain' })).toBeNull();
+  });
+});
+
+describe('the failing region', () => {
+  test('covers the inputs of the cause, with ascending numbers', () => {
+    const [, , relation] = EXPLANATION.causes;
+    if (!relation) throw new Error('no relation');
+    const region = regionOf(relation, EXPLANATION, [
+      { values: ['1', '1', '9.5'], failed: true },
+      { values: ['1', '2', '9.5'], failed: false },
+      { values: ['2', '2', '9.5'], failed: true },
+    ]);
+    expect(region?.columns).toEqual(['1', '2']);
+    expect(region?.rows).toEqual(['1', '2']);
+    expect(region?.cells).toEqual([
+      ['both', 'unknown'],
+      ['passes', 'fails'],
+    ]);
+  });
+
+  test('needs two inputs that vary', () => {
+    const inputs = EXPLANATION.inputs.map((input) => ({ ...input, values: ['1'] }));
+    expect(regionOf(CAUSE, { ...EXPLANATION, inputs }, [])).toBeNull();
+  });
+});
+
+describe('the score of a specification', () => {
+  test('is shown with what to add to the specification', async () => {
+    const cases = [resultCase(1, 'PASS')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    server.requestedAnalysis = analysis({
+      score: {
+        injected: 12,
+        noticed: 9,
+        equivalent: 2,
+        survivors: [{ fault: 'return: sign', where: 'return', suggestion: 'expect a value' }],
+        outputs: [{ output: 'return', changed: 10, noticed: 9 }],
+        warnings: [],
+      },
+    });
+    openPortal(server, '/builds/b1?tab=score');
+    await userEvent.click(await screen.findByRole('button', { name: 'Score' }));
+    expect(await screen.findByText('90.0 %')).toBeVisible();
+    const survivors = screen.getByRole('group', { name: 'Faults that are not noticed' });
+    expect(within(survivors).getByText('expect a value')).toBeVisible();
+  });
+});
