@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.AnalysisReport;
 import org.sitaf.agent.build.AnalysisReport.Explained;
@@ -155,7 +156,8 @@ public final class AnalysisRun {
       TestResult analysed = order.analysed();
       listener.stage(BuildStage.RUNNING);
       return new BuildOutcome.Analysed(analysed == null ? score(log) : explain(analysed, log));
-    } catch (InterruptedException e) {
+    } catch (InterruptedException | CancellationException e) {
+      // A cancelled search throws its own exception.
       synchronized (this) {
         return new BuildOutcome.Cancelled(
             stopReason == null ? String.valueOf(e.getMessage()) : stopReason);
