@@ -155,7 +155,8 @@ public record NewNodeActivity(
         .append(parameters.isEmpty() ? "none was found" : String.join(", ", parameters))
         .append(".\n");
     text.append("  # parameters: {NAME: VALUE}\n");
-    text.append("# input: published by the test. output: recorded. A topic can also be a device of a\n");
+    text.append(
+        "# input: published by the test. output: recorded. A topic can also be a device of a\n");
     text.append("# world, such as device.lidar.\n");
     Map<String, String> topics = topics(sources, notes);
     text.append(topics.isEmpty() ? "topics: {}\n" : "topics:\n");

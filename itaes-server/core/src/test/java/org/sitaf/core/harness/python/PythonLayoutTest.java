@@ -9,9 +9,13 @@ class PythonLayoutTest {
 
   @Test
   void argumentsThatFitTogetherStayOnOneLine() {
-    assertThat(PythonLayout.format("        result = self.call(" + LONG + ", a, b, c, d, e, f, g, h, i)\n"))
+    assertThat(
+            PythonLayout.format(
+                "        result = self.call(" + LONG + ", a, b, c, d, e, f, g, h, i)\n"))
         .isEqualTo(
-            "        result = self.call(\n            " + LONG + ", a, b, c, d, e, f, g, h, i\n        )\n");
+            "        result = self.call(\n            "
+                + LONG
+                + ", a, b, c, d, e, f, g, h, i\n        )\n");
   }
 
   @Test
