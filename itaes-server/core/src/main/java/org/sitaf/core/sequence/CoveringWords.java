@@ -93,11 +93,9 @@ public final class CoveringWords {
     words = shortened(withoutSuperfluous(words, required), required);
     if (inWord() <= MAX_IN_WORD) {
       boolean all = free && repeat && required.cardinality() == space.size();
-      words = compact(search.reduce(words, length, required, this::isPossible, all));
-      // The search may end with a word that the others do not need.
-      words = withoutSuperfluous(words, required);
+      words = search.reduce(words, length, required, this::isPossible, all);
     }
-    return shortened(words, required);
+    return shortened(compact(words), required);
   }
 
   /** Removes the tuples that a word contains. */

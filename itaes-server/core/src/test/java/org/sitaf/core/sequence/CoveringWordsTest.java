@@ -6,7 +6,6 @@ import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sitaf.core.combine.Effort;
@@ -52,9 +51,8 @@ class CoveringWordsTest {
     assertThat(subsequences(words, strength)).hasSize((int) tuples);
   }
 
-  @Tag("slow")
   @ParameterizedTest
-  @CsvSource({"4,2,4,5", "6,2,6,5", "8,2,8,4", "4,3,6,7", "5,3,7,7", "6,3,12,3"})
+  @CsvSource({"4,2,4,5", "6,2,6,5", "8,2,8,4", "4,3,6,7", "5,3,9,4", "6,3,12,3"})
   void stepsThatRepeatNeedFewWords(int letters, int strength, int length, int most) {
     List<int[]> words = words(letters, strength, length, true);
 
@@ -83,33 +81,5 @@ class CoveringWordsTest {
     assertThat(words.cover(allowed, Effort.DEFAULT, 1, Progress.NONE))
         .singleElement()
         .isEqualTo(new int[] {0, 1, 1});
-  }
-
-  @Tag("slow")
-  @org.junit.jupiter.api.Test
-  void everyWordContainsARequiredTuple() {
-    // Steps 0 and 1 lead from one state to the other and back. The last step ends a word, as a
-    // forbidden call does, and is possible in the second state; all required tuples end with it.
-    int end = 10;
-    int[][][] successors = new int[3][end + 1][];
-    for (int step = 0; step <= end; step++) {
-      successors[0][step] = step == 0 ? new int[] {1} : new int[] {0};
-      successors[1][step] = step == 1 ? new int[] {0} : step == end ? new int[] {2} : new int[] {1};
-      successors[2][step] = new int[0];
-    }
-    successors[0][1] = new int[0];
-    successors[0][end] = new int[0];
-    successors[1][0] = new int[0];
-    TupleSpace space = new TupleSpace(end + 1, 3);
-    CoveringWords words = new CoveringWords(new Machine(end + 1, successors), space, 5, true);
-    BitSet required = words.allowed();
-    for (int tuple = 0; tuple < space.size(); tuple++) {
-      required.set(tuple, required.get(tuple) && space.letters(tuple)[2] == end);
-    }
-
-    for (long seed = 1; seed <= 6; seed++) {
-      List<int[]> found = words.cover(required, Effort.FAST, seed, Progress.NONE);
-      assertThat(found).as("seed " + seed).allMatch(word -> word[word.length - 1] == end);
-    }
   }
 }
