@@ -38,7 +38,7 @@ public final class Explainer {
   private static final int MORE_CONFIRMATIONS = 8;
 
   /** So many tuples of the parameters of a relation say that it is not the whole cause. */
-  private static final int MAX_BESIDE_RELATION = 1;
+  private static final int MAX_OTHER_CAUSES = 1;
 
   private static final long SEED = 1;
 
@@ -197,11 +197,11 @@ public final class Explainer {
     Set<String> partial = new HashSet<>();
     for (RelationSearch.Relation relation : relations) {
       long mask = relation.parameters().stream().mapToLong(p -> 1L << p).sum();
-      long beside =
+      long others =
           search.causes().stream()
               .filter(t -> Long.bitCount(t.mask()) > 1 && (t.mask() & ~mask) == 0)
               .count();
-      if (beside > MAX_BESIDE_RELATION) {
+      if (others > MAX_OTHER_CAUSES) {
         partial.add(relation.text());
       }
     }
