@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Runs the tests except long ones. --all: long ones too. --fast: format, lint and unit tests only.
+# A failure does not stop the other tests; the summary at the end lists the failed and the skipped ones.
 set -euo pipefail
 home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
 state=$home/.sitaf
+launcher=$home/itaes-server/cli/launcher
 # shellcheck source=itaes-server/cli/launcher/setup.sh
-source "$home/itaes-server/cli/launcher/setup.sh"
+source "$launcher/setup.sh"
 
 fast=false
 without="long"
@@ -25,6 +27,14 @@ python_marks=()
 
 section() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
 
+# Reports of all tests in JUnit's format, for the summary.
+reports=$state/reports
+rm -rf "$reports"
+mkdir -p "$reports" "$state/log"
+touch "$reports/begun"
+# What failed, one line each.
+failed=()
+
 section "Simulation bridge: environment"
 set_up_bridge
 python=$state/venv/bin/python
@@ -34,66 +44,97 @@ if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
   "$python" -m pip install --quiet "$home/sim-bridge[robots]"
 fi
 
+# tests_of REPORT FOLDER [OPTION...]: runs the tests of a folder.
+tests_of() {
+  cd "$2"
+  "$python" -m pytest -q --junitxml "$reports/$1.xml" "${python_marks[@]}" "${@:3}"
+}
+
 bridge_tests() {
-  bash "$home/hardware/python/check.sh" "$python"
-  cd "$home/sim-bridge"
-  bash check.sh "$python"
-  "$python" -m pytest -q "${python_marks[@]}"
+  local code=0
+  bash "$home/hardware/python/check.sh" "$python" || code=1
+  bash "$home/sim-bridge/check.sh" "$python" || code=1
+  (tests_of bridge "$home/sim-bridge") || code=1
+  return $code
 }
 
 runtime_tests() {
-  cd "$home/tba-agent/runtime-python"
-  bash check.sh "$python"
-  "$python" -m pytest -q "${python_marks[@]}"
+  local code=0
+  bash "$home/tba-agent/runtime-python/check.sh" "$python" || code=1
+  (tests_of runtime-python "$home/tba-agent/runtime-python") || code=1
   # Compiling the tests takes half a minute: the fast check does it only after a change.
   local stamp=$state/runtime-cpp-checked.stamp
   if ! $fast || newer_than "$stamp" "$home/tba-agent/runtime-cpp" "$home/tests/compliance"; then
     touch "$stamp.begun"
-    bash "$home/tba-agent/runtime-cpp/check.sh"
-    mv "$stamp.begun" "$stamp"
+    if bash "$home/tba-agent/runtime-cpp/check.sh"; then mv "$stamp.begun" "$stamp"; else code=1; fi
   fi
+  return $code
 }
 
-cd "$home/tba-agent/runtime-python"
 if newer_than "$state/runtime-python.stamp" "$home/tba-agent/runtime-python" "$home/proto"; then
-  "$python" -m pip install --quiet --editable ".[dev]"
+  (cd "$home/tba-agent/runtime-python" && "$python" -m pip install --quiet --editable ".[dev]")
   touch "$state/runtime-python.stamp"
 fi
 
 # These run while Maven compiles and tests, because many tests wait for other processes.
 alongside=("bridge_tests:Simulation bridge: format, lint, types, tests" "runtime_tests:Runtimes of Python and C++ tests: format, lint, types, tests")
-mkdir -p "$state/log"
 pids=()
 for entry in "${alongside[@]}"; do
-  (set -e; "${entry%%:*}") >"$state/log/${entry%%:*}.log" 2>&1 &
+  ("${entry%%:*}") >"$state/log/${entry%%:*}.log" 2>&1 &
   pids+=($!)
 done
 trap 'for pid in "${pids[@]}"; do pkill -P "$pid" || true; done' EXIT
 
-# await_alongside: prints the output of these tests when they have ended, and fails if one has failed.
+# await_alongside: prints the output of these tests when they have ended.
 await_alongside() {
-  local failed=false
   for i in "${!pids[@]}"; do
-    wait "${pids[$i]}" || failed=true
+    wait "${pids[$i]}" || failed+=("${alongside[$i]#*:}")
     section "${alongside[$i]#*:}"
     cat "$state/log/${alongside[$i]%%:*}.log"
   done
   pids=()
-  ! $failed
+}
+
+# end: prints the summary and ends; the exit code is 1 if anything failed.
+end() {
+  section "Summary"
+  "$python" "$launcher/summarize_tests.py" "$home" "$reports" || failed+=("Tests: see above")
+  if [ ${#failed[@]} -gt 0 ]; then
+    printf 'FAILED: %s\n' "${failed[@]}"
+    exit 1
+  fi
+  echo "All tests passed."
+  exit 0
 }
 
 section "Java and portal: format, lint, types, tests"
 cd "$home"
-if $fast; then
-  mvn -B -ntp -q -T 2 verify "${java_groups[@]}" -Dportal.check=check:changed -Dsitaf.bridge.python="$python"
-  await_alongside
-  exit 0
-fi
 touch "$state/java.begun"
-# The agent's tests and the launcher compile the same runtime of C++ applications, which takes a minute.
-compiled=$home/tba-agent/agent/target/test-cache/cpp/runtime
-[ ! -d "$state/cache/cpp/runtime" ] || [ -d "$compiled" ] || { mkdir -p "$compiled" && cp -r "$state/cache/cpp/runtime/." "$compiled"; }
-mvn -B -ntp -T 2 verify "${java_groups[@]}" -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
+java=(mvn -B -ntp -T 2 --fail-at-end verify -Dmaven.test.failure.ignore=true "${java_groups[@]}" -Dsitaf.bridge.python="$python")
+log=$state/log/java_tests.log
+if $fast; then
+  "${java[@]}" -q -Dportal.check=check:changed 2>&1 | tee "$log" || failed+=("Java and portal: the build")
+else
+  # The agent's tests and the launcher compile the same runtime of C++ applications, which takes a minute.
+  compiled=$home/tba-agent/agent/target/test-cache/cpp/runtime
+  [ ! -d "$state/cache/cpp/runtime" ] || [ -d "$compiled" ] || { mkdir -p "$compiled" && cp -r "$state/cache/cpp/runtime/." "$compiled"; }
+  "${java[@]}" 2>&1 | tee "$log" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar' ||
+    failed+=("Java and portal: the build")
+fi
+built=true
+[ ${#failed[@]} -eq 0 ] || built=false
+# Maven's own words, because its exit code is only that of the build.
+! grep -qE 'There are test failures|There was a timeout' "$log" || failed+=("Java: tests")
+
+if $fast; then
+  await_alongside
+  end
+fi
+if ! $built; then
+  await_alongside
+  failed+=("Across rooms: not run, because there is no build")
+  end
+fi
 
 # Install the tested build, so that the launcher does not build again.
 locked
@@ -111,6 +152,5 @@ if ! "$python" -c 'import dateutil, playwright, pydantic, pymodbus, schemathesis
 fi
 
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
-cd "$home/tests"
-"$python" -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder --durations 12 "${python_marks[@]}"
-section "Done"
+(tests_of across "$home/tests" -n 2 --dist loadfile --no-loadscope-reorder --durations 12) || failed+=("Across rooms")
+end
