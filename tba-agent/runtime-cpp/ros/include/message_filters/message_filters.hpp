@@ -130,7 +130,7 @@ private:
   std::string name_;
 };
 
-/// Subscribers begin a chain of filters: nothing is put into them.
+/// Subscribers are the first filters of a chain: they have no input.
 struct SubscriberMark {};
 
 /// What subscribers of different messages have in common.
@@ -311,7 +311,7 @@ private:
   std::size_t size_;
 };
 
-/// Passes messages on in the order of their stamps, each a delay after its stamp; one that comes later is dropped.
+/// Passes messages on in the order of their stamps, each a fixed delay after its stamp. Messages that arrive later are dropped.
 template<class M>
 class TimeSequencer : public SimpleFilter<M>
 {
@@ -498,7 +498,7 @@ public:
       queue.pop_front();
     }
     while (complete()) {
-      // The message that came last begins the set: the newest of the oldest ones.
+      // The pivot is the newest of the first messages of the queues.
       const std::int64_t pivot = newest_front(std::index_sequence_for<Ms...>());
       forward(pivot, std::index_sequence_for<Ms...>());
       const std::int64_t span = newest_front(std::index_sequence_for<Ms...>()) -

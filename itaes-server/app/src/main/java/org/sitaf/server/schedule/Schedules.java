@@ -119,7 +119,7 @@ class Schedules {
     }
   }
 
-  /** Notes for people that a fire time has no build, since each attempt to request one failed. */
+  /** Records that a fire time has no build because each attempt to request one failed. */
   void giveUp(String id, Instant fireTime) {
     fireTimes.record(
         id,

@@ -105,7 +105,7 @@ public record ActivityLock(List<ResolvedPackage> packages, boolean complete) {
   }
 
   /**
-   * A copy that leaves the release of one package open, and of packages that are not listed.
+   * A copy that allows any release of one package and of packages that are not listed.
    *
    * @param name normalised name
    */
