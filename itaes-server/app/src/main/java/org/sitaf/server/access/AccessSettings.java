@@ -1,5 +1,7 @@
 package org.sitaf.server.access;
 
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
 import jakarta.validation.constraints.Size;
 import java.time.Duration;
 import org.hibernate.validator.constraints.time.DurationMin;
@@ -18,6 +20,7 @@ import org.springframework.validation.annotation.Validated;
  * @param plaintext whether the server may listen on other interfaces without TLS because a reverse
  *     proxy terminates TLS
  * @param auditRetention how long audit events are kept
+ * @param passwordStrength binary logarithm of the rounds of bcrypt for new passwords
  */
 @Validated
 @ConfigurationProperties("sitaf.access")
@@ -25,9 +28,16 @@ public record AccessSettings(
     @Size(min = 32, max = 200) @Nullable String launcherToken,
     @Size(min = 32, max = 200) @Nullable String launcherEnrolment,
     @DefaultValue("false") boolean plaintext,
-    @DurationMin(days = 1) @DefaultValue("365d") Duration auditRetention) {
+    @DurationMin(days = 1) @DefaultValue("365d") Duration auditRetention,
+    @Min(10) @Max(16) @DefaultValue("12") int passwordStrength) {
   @Override
   public String toString() {
-    return "AccessSettings[plaintext=" + plaintext + ", auditRetention=" + auditRetention + "]";
+    return "AccessSettings[plaintext="
+        + plaintext
+        + ", auditRetention="
+        + auditRetention
+        + ", passwordStrength="
+        + passwordStrength
+        + "]";
   }
 }

@@ -220,7 +220,7 @@ class AccessStoryTest extends ServerTest {
                 .param(id)
                 .query(String.class)
                 .single())
-        .startsWith("$2a$12$")
+        .startsWith("$2a$10$")
         .doesNotContain(password);
   }
 

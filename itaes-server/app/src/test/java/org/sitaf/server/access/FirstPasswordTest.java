@@ -33,6 +33,7 @@ class FirstPasswordTest {
             "--" + ServerTest.OWN_SCHEDULER + "first-password",
             "--server.port=0",
             "--spring.grpc.server.port=0")) {
+      assertThat(server.getBean(AccessSettings.class).passwordStrength()).isEqualTo(12);
       Path file = data.resolve("first-password");
       assertThat(mode(data)).isEqualTo("rwx------");
       assertThat(mode(data.resolve("database.mv.db"))).isEqualTo("rw-------");

@@ -20,6 +20,8 @@ import org.springframework.test.context.DynamicPropertySource;
     webEnvironment = WebEnvironment.RANDOM_PORT,
     properties = {
       "spring.grpc.server.port=0",
+      // As weak as allowed: the tests sign in hundreds of times.
+      "sitaf.access.password-strength=10",
       "sitaf.lease=4s",
       "sitaf.retry-delay=50ms",
       "sitaf.max-log=64KB",

@@ -5,6 +5,7 @@ import java.security.SecureRandom;
 import java.util.concurrent.Semaphore;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.access.AccessSettings;
 import org.sitaf.server.error.RequestException;
 import org.springframework.security.crypto.bcrypt.BCryptPasswordEncoder;
 import org.springframework.stereotype.Component;
@@ -12,7 +13,6 @@ import org.springframework.stereotype.Component;
 /** Hashes passwords with bcrypt and generates random ones. */
 @Component
 class Passwords {
-  private static final int STRENGTH = 12;
   private static final int MIN_LENGTH = 12;
 
   /** Bcrypt ignores further bytes. */
@@ -28,12 +28,16 @@ class Passwords {
   private static final int GROUP = 5;
 
   private final SecureRandom random = new SecureRandom();
-  private final BCryptPasswordEncoder encoder = new BCryptPasswordEncoder(STRENGTH, random);
+  private final BCryptPasswordEncoder encoder;
+  private final String dummyHash;
 
   /** A hash takes a quarter of a second of CPU time; sign-ins must not use all CPUs. */
   private final Semaphore permits = new Semaphore(2, true);
 
-  private final String dummyHash = encoder.encode(generate());
+  Passwords(AccessSettings settings) {
+    encoder = new BCryptPasswordEncoder(settings.passwordStrength(), random);
+    dummyHash = encoder.encode(generate());
+  }
 
   /** Generates a password with more than 115 random bits. */
   String generate() {

@@ -54,6 +54,6 @@ class TransportCheckTest {
   }
 
   private static AccessSettings settings(@Nullable String launcher, boolean plaintext) {
-    return new AccessSettings(launcher, null, plaintext, Duration.ofDays(1));
+    return new AccessSettings(launcher, null, plaintext, Duration.ofDays(1), 12);
   }
 }
