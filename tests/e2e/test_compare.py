@@ -100,13 +100,18 @@ def test_differences_are_grouped_with_the_largest_last(compare, tmp_path):
     ("imports", "body"),
     [
         ("import random", "return random.random()"),
-        ("import time", "return float(time.time_ns() % 1000003)"),
-        ("", "return float(next(iter({'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h'})) == 'a') + hash('x') % 97"),
+        pytest.param("import time", "return float(time.time_ns() % 1000003)", marks=pytest.mark.long),
+        pytest.param(
+            "",
+            "return float(next(iter({'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h'})) == 'a') + hash('x') % 97",
+            marks=pytest.mark.long,
+        ),
         ("import ctypes", "size = 1 << 20\nmalloc = ctypes.CDLL(None).malloc\nmalloc.restype = ctypes.c_void_p\nreturn float((ctypes.c_ubyte * size).from_address(malloc(size >> 8))[2000])"),
-        (
+        pytest.param(
             "import sys, threading\n\nsys.setswitchinterval(1e-6)",
             "order = []\nall = [threading.Thread(target=lambda n=n: [order.append(n) for _ in range(5000)]) for n in range(4)]\n"
             "[t.start() for t in all]\n[t.join() for t in all]\nreturn float(hash(tuple(order)) % 1000003)",
+            marks=pytest.mark.long,
         ),
     ],
     ids=["random", "time", "hashes", "memory", "threads"],

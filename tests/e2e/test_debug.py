@@ -2,7 +2,6 @@
 
 import os
 import re
-import shutil
 import signal
 import subprocess
 import threading
@@ -10,12 +9,10 @@ import time
 from pathlib import Path
 
 import pytest
+from needs import gdb
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMIT_S = 300
-needs_gdb = pytest.mark.skipif(
-    shutil.which("gdb") is None, reason="gdb is not installed"
-)
 
 
 class Terminal:
@@ -102,7 +99,7 @@ def test_jdb_stops_in_a_java_component(terminal):
     require_the_verdict_of_case_7(jdb)
 
 
-@needs_gdb
+@gdb
 def test_gdb_stops_in_a_cpp_component(terminal):
     gdb = terminal("run", "examples/ir-sensor-cpp-faulty", "--case", "7", "--debug")
     gdb.expect(r"Breakpoint 1, robot::InfraredSensor::GetInfraredData \(")
@@ -115,14 +112,14 @@ def test_gdb_stops_in_a_cpp_component(terminal):
     require_the_verdict_of_case_7(gdb)
 
 
-@needs_gdb
+@gdb
 def test_leaving_gdb_lets_the_case_continue(terminal):
     gdb = terminal("run", "examples/ir-sensor-cpp-faulty", "--case", "7", "--debug")
     gdb.expect("Breakpoint 1, ")
     require_the_verdict_of_case_7(gdb)
 
 
-@needs_gdb
+@gdb
 def test_a_killed_component_is_an_error(terminal):
     gdb = terminal("run", "examples/ir-sensor-cpp-faulty", "--case", "7", "--debug")
     gdb.expect("Breakpoint 1, ")

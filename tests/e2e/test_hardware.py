@@ -41,7 +41,7 @@ def counts(run):
     return [int(number) for number in found.groups()]
 
 
-@pytest.mark.parametrize("count", [1, 7])
+@pytest.mark.parametrize("count", [7, pytest.param(1, marks=pytest.mark.long)])
 def test_sensors_behind_a_provider_give_the_verdicts_of_simulated_ones(sitaf, activity, tmp_path, count):
     result = tmp_path / "results"
     with running(lambda address: simulated(WORLD, address)) as (_, address):

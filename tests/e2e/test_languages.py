@@ -1,6 +1,5 @@
 """The same activity with its component in Java, C++ and Python: the same cases, the same verdicts, the same values."""
 
-import os
 import re
 import shutil
 import xml.etree.ElementTree as ElementTree
@@ -8,18 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from test_cpp import installed
+from needs import cpp
 
 PARTS = Path(__file__).parent / "languages"
-LANGUAGES = ["java", "cpp", "python"]
-# In CI, a skipped test would never run.
-WITHOUT_CPP = not installed("grpc++", "protobuf", "expat") and "CI" not in os.environ
+LANGUAGES = ["java", pytest.param("cpp", marks=cpp), "python"]
 
 
 @pytest.fixture(params=LANGUAGES[1:])
 def language(request):
-    if request.param == "cpp" and WITHOUT_CPP:
-        pytest.skip("needs ./sitaf doctor --install cpp")
     return request.param
 
 
@@ -47,17 +42,16 @@ def arm(sitaf, folder, language):
 
 
 def results(sitaf, folder, *models):
-    """The outcome of each case, and the exit code."""
+    """The exit code, and the outcome of each case of one model or of all."""
     found = {}
-    code = 0
+    into = folder / (f"{models[0]}.result.xml" if len(models) == 1 else "results")
+    run = sitaf("run", folder, *(["--model", *models] if len(models) == 1 else []), "--result", into)
     for model in models:
-        file = folder / f"{model}.result.xml"
-        run = sitaf("run", folder, "--model", model, "--result", file)
+        file = into / f"{model}.xml" if into.is_dir() else into
         assert file.exists(), run.stdout + run.stderr
-        code = max(code, run.returncode)
         for result in ElementTree.parse(file).getroot().iter("test_result"):
             found[model, int(result.attrib["no"])] = observed(result)
-    return code, found
+    return run.returncode, found
 
 
 def observed(result):
@@ -94,27 +88,42 @@ def replace(path, old, new):
     path.write_text(text.replace(old, new))
 
 
-def test_answers_sequences_errors_and_delays_of_stubs_are_the_same_in_every_language(sitaf, tmp_path, language):
-    java = shutil.copytree(sitaf.root / "examples" / "navigation-step", tmp_path / "java")
+def only_some_drives(folder):
+    """A condition on the stub's record that some cases violate."""
+    replace(folder / "Step.xml", 'calls["RangeFinder.GetRange"].size() == 2', 'calls["WheelController.Drive"].size() == 1')
+    return folder
+
+
+@pytest.fixture(scope="module")
+def navigation_in_java(sitaf, tmp_path_factory):
+    """The results in Java, before and after the change of the condition."""
+    folder = shutil.copytree(sitaf.root / "examples" / "navigation-step", tmp_path_factory.mktemp("navigation") / "java")
+    return results(sitaf, folder, "Step"), results(sitaf, only_some_drives(folder), "Step")
+
+
+def test_answers_sequences_errors_and_delays_of_stubs_are_the_same_in_every_language(sitaf, tmp_path, language, navigation_in_java):
     names = {"cpp": "robot::NavigationStep", "python": "navigation_step.NavigationStep"}
     other = from_example(sitaf, tmp_path / language, "navigation-step", language, names[language], "navigation")
-    assert results(sitaf, other, "Step") == (0, results(sitaf, java, "Step")[1])
-    # A condition on the stub's record that some cases violate.
-    for folder in (java, other):
-        replace(folder / "Step.xml", 'calls["RangeFinder.GetRange"].size() == 2', 'calls["WheelController.Drive"].size() == 1')
-    code, found = results(sitaf, other, "Step")
-    assert code == 1
-    assert set(verdicts(found)) == {"PASS", "FAIL"}
-    assert found == results(sitaf, java, "Step")[1]
+    before, after = navigation_in_java
+    assert before[0] == 0
+    assert results(sitaf, other, "Step") == before
+    assert after[0] == 1
+    assert set(verdicts(after[1])) == {"PASS", "FAIL"}
+    assert results(sitaf, only_some_drives(other), "Step") == after
 
 
-def test_a_periodic_component_is_the_same_in_every_language(sitaf, tmp_path, language):
-    java = shutil.copytree(sitaf.root / "examples" / "joint-pid", tmp_path / "java")
+@pytest.fixture(scope="module")
+def joint_in_java(sitaf, tmp_path_factory):
+    folder = shutil.copytree(sitaf.root / "examples" / "joint-pid", tmp_path_factory.mktemp("joint") / "java")
+    return results(sitaf, folder, "Hold")
+
+
+def test_a_periodic_component_is_the_same_in_every_language(sitaf, tmp_path, language, joint_in_java):
     names = {"cpp": "robot::JointController", "python": "joint_controller.JointController"}
     other = from_example(sitaf, tmp_path / language, "joint-pid", language, names[language], "joint")
     code, found = results(sitaf, other, "Hold")
     assert (code, set(verdicts(found))) == (0, {"PASS"})
-    assert found == results(sitaf, java, "Hold")[1]
+    assert (code, found) == joint_in_java
 
 
 def test_an_exception_in_a_period_makes_the_case_an_error(sitaf, tmp_path, language):
@@ -166,8 +175,6 @@ CONDITIONS_OVER_PORTS = """</post_condition_spec_list>
 
 @pytest.mark.parametrize("tested", LANGUAGES)
 def test_conditions_over_time_see_data_ports_in_every_language(sitaf, tmp_path, tested):
-    if tested == "cpp" and WITHOUT_CPP:
-        pytest.skip("needs ./sitaf doctor --install cpp")
     folder = arm(sitaf, tmp_path / "arm", tested)
     replace(folder / "Swing.xml", "</post_condition_spec_list>", CONDITIONS_OVER_PORTS)
     run = sitaf("run", folder, "--model", "Swing", "--result", tmp_path / "result.xml", "--signals", tmp_path / "signals")
@@ -190,8 +197,6 @@ def test_conditions_over_time_see_data_ports_in_every_language(sitaf, tmp_path, 
 
 @pytest.mark.parametrize("spoilt", LANGUAGES)
 def test_a_call_that_never_ends_is_an_error_and_the_next_case_runs(sitaf, tmp_path, spoilt):
-    if spoilt == "cpp" and WITHOUT_CPP:
-        pytest.skip("needs ./sitaf doctor --install cpp")
     folder = arm(sitaf, tmp_path, spoilt)
     replace(folder / "Swing.xml", "<value>1.5</value>", "<value>0</value>")
     _, found = results(sitaf, folder, "Swing")
@@ -204,8 +209,6 @@ def test_a_call_that_never_ends_is_an_error_and_the_next_case_runs(sitaf, tmp_pa
 
 @pytest.mark.parametrize("spoilt", LANGUAGES)
 def test_a_method_without_a_value_that_does_not_throw_as_expected_fails(sitaf, tmp_path, spoilt):
-    if spoilt == "cpp" and WITHOUT_CPP:
-        pytest.skip("needs ./sitaf doctor --install cpp")
     folder = arm(sitaf, tmp_path, spoilt)
     replace(folder / "Limit.xml", 'valid ? null : "!error:TooStrong"', 'most == 4.0 ? "!error:TooStrong" : null')
     _, found = results(sitaf, folder, "Limit")
@@ -215,10 +218,8 @@ def test_a_method_without_a_value_that_does_not_throw_as_expected_fails(sitaf, t
     assert verdicts(found).count("PASS") == len(found) - 3
 
 
-@pytest.mark.parametrize("example", ["ir-sensor-cpp", "ir-sensor-python"])
+@pytest.mark.parametrize("example", ["ir-sensor-python", pytest.param("ir-sensor-cpp", marks=[cpp, pytest.mark.long])])
 def test_the_motion_of_each_case_is_recorded(sitaf, tmp_path, example):
-    if example.endswith("cpp") and WITHOUT_CPP:
-        pytest.skip("needs ./sitaf doctor --install cpp")
     run = sitaf("run", f"examples/{example}", "--recording", tmp_path)
     assert run.returncode == 0, run.stdout + run.stderr
     files = list((tmp_path / "GetInfraredData").iterdir())

@@ -7,7 +7,7 @@ import subprocess
 import zipfile
 
 import pytest
-from test_cpp import cpp
+from needs import cpp
 
 PASSED = "GetInfraredData: 55 cases, 55 PASS"
 
@@ -54,6 +54,7 @@ def test_a_shared_object_with_headers(sitaf, built_cpp):
 
 
 @cpp
+@pytest.mark.long  # A library is linked as the shared one.
 def test_a_static_library_with_headers(sitaf, built_cpp, tmp_path):
     activity, compiler = built_cpp
     tool(*compiler, "-c", "-o", tmp_path / "sensor.o")

@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from needs import cpp
 
 HOME = Path(__file__).resolve().parents[2]
 PROTO = """syntax = "proto3";
@@ -61,8 +62,8 @@ def interfaces(folder: Path) -> dict[str, Path]:
 
 @pytest.mark.parametrize(
     ("kind", "language"),
-    [("action", "python"), ("srv", "java"), ("proto", "java"), ("idl", "python"), ("idl", "cpp"), ("opros", "python"),
-     ("installed", "python")],
+    [("action", "python"), ("proto", "java"), pytest.param("idl", "cpp", marks=cpp), ("opros", "python"), ("installed", "python"),
+     pytest.param("srv", "java", marks=pytest.mark.long), pytest.param("idl", "python", marks=pytest.mark.long)],
 )
 def test_an_activity_of_each_format_and_language_is_green_at_once(tmp_path: Path, kind: str, language: str) -> None:
     begin(tmp_path / "new", "--language", language, "--interface", interfaces(tmp_path)[kind])

@@ -5,6 +5,7 @@ import shutil
 import xml.etree.ElementTree as ElementTree
 
 import pytest
+from needs import cpp
 
 JAVA = """\
 package nav;
@@ -192,12 +193,15 @@ def steps_of(result):
     ]
 
 
-@pytest.mark.parametrize("language", ["java", "cpp", "python"])
-def test_a_second_goal_preempts_the_first_one(sitaf, language, tmp_path):
+@pytest.mark.parametrize("language", ["java", pytest.param("cpp", marks=cpp), "python"])
+def test_a_second_goal_preempts_the_first_one_in_each_run(sitaf, language, tmp_path):
     activity = activity_in(sitaf, language, tmp_path / "activity")
     run = sitaf("run", activity, "--result", tmp_path / "result")
     assert run.returncode == 0, run.stdout + run.stderr
+    again = sitaf("run", activity, "--result", tmp_path / "again")
+    assert again.returncode == 0, again.stdout + again.stderr
     cases = steps_of(tmp_path / "result")
+    assert cases == steps_of(tmp_path / "again")
     returned = {
         actual for case in cases for name, _, _, actual in case if name == "Navigate"
     }
@@ -207,25 +211,16 @@ def test_a_second_goal_preempts_the_first_one(sitaf, language, tmp_path):
     assert any(first[0] == "Navigate" and first[2] == then[2] for first, then in pairs)
 
 
-@pytest.mark.parametrize("times", [2, pytest.param(6, marks=pytest.mark.long)])
-@pytest.mark.parametrize("language", ["java", "cpp", "python"])
-def test_overlapping_calls_give_the_same_in_each_run(sitaf, language, times, tmp_path):
+@pytest.mark.long
+@pytest.mark.parametrize("language", ["java", pytest.param("cpp", marks=cpp), "python"])
+def test_overlapping_calls_give_the_same_in_each_run(sitaf, language, tmp_path):
     activity = activity_in(sitaf, language, tmp_path / "activity")
     runs = []
-    for number in range(times):
+    for number in range(6):
         run = sitaf("run", activity, "--result", tmp_path / f"result{number}")
         assert run.returncode == 0, run.stdout + run.stderr
         runs.append(steps_of(tmp_path / f"result{number}"))
     assert all(run == runs[0] for run in runs)
-
-
-def test_a_preempted_call_that_ends_the_next_goal_fails(sitaf):
-    run = sitaf("run", "examples/navigation-goals-faulty")
-    assert run.returncode == 1, run.stdout + run.stderr
-    # The goal that is canceled is that of the second call.
-    assert re.search(r"step \d+ \(Cancel\): navigation_server.NoGoal", run.stdout), (
-        run.stdout
-    )
 
 
 def counter_in(folder, body, member):
@@ -250,6 +245,7 @@ def counter_in(folder, body, member):
     return folder
 
 
+@cpp
 def test_a_data_race_is_found_with_its_line(sitaf, tmp_path):
     run = sitaf(
         "run", counter_in(tmp_path / "activity", "++total_;", "int total_ = 0;")
@@ -261,6 +257,7 @@ def test_a_data_race_is_found_with_its_line(sitaf, tmp_path):
     ), run.stdout
 
 
+@cpp
 def test_a_component_that_locks_has_no_data_race(sitaf, tmp_path):
     activity = counter_in(
         tmp_path / "activity",

@@ -7,6 +7,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from needs import cpp
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = ROOT.parent / "shared" / "ros2-packages"
@@ -61,7 +62,7 @@ def activity(folder, package, component, topics="{}", further="", text=""):
     return folder
 
 
-@pytest.mark.parametrize("example", ["velocity-mux-ros", "wall-stop-ros", "wall-stop-ros-cpp"])
+@pytest.mark.parametrize("example", ["velocity-mux-ros", pytest.param("wall-stop-ros-cpp", marks=cpp), pytest.param("wall-stop-ros", marks=pytest.mark.long)])
 def test_an_example_passes_with_the_same_result_each_time(sitaf, tmp_path, example):
     first, once = results(sitaf, f"examples/{example}", tmp_path / "once")
     again, twice = results(sitaf, f"examples/{example}", tmp_path / "twice")
@@ -74,8 +75,8 @@ def test_an_example_passes_with_the_same_result_each_time(sitaf, tmp_path, examp
     ("example", "message"),
     [
         ("velocity-mux-ros-faulty", "a command that is too old is not passed on"),
-        ("wall-stop-ros-faulty", "keeps its distance: broken at"),
-        ("wall-stop-ros-cpp-faulty", "keeps its distance: broken at"),
+        pytest.param("wall-stop-ros-faulty", "keeps its distance: broken at", marks=pytest.mark.long),
+        pytest.param("wall-stop-ros-cpp-faulty", "keeps its distance: broken at", marks=cpp),
     ],
 )
 def test_a_faulty_node_fails(sitaf, example, message):
@@ -109,6 +110,7 @@ if channel._held:
     assert run.returncode == 0, run.stdout + run.stderr
 
 
+@cpp
 def test_a_package_of_a_component_does_not_run_when_a_node_is_compiled(sitaf, tmp_path):
     """The compiled runtime of nodes is shared by all builds."""
     activity = tmp_path / "hostile"

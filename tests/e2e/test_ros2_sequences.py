@@ -5,8 +5,9 @@ import shutil
 import xml.etree.ElementTree as ElementTree
 
 import pytest
+from needs import cpp
 
-EXAMPLES = ["lifecycle-node", "lifecycle-node-cpp"]
+EXAMPLES = ["lifecycle-node", pytest.param("lifecycle-node-cpp", marks=cpp)]
 
 
 def cases_of(folder, name="LifeCycle"):

@@ -15,18 +15,14 @@ def replace(path, old, new):
     path.write_text(text.replace(old, new))
 
 
-def test_the_infrared_sensor_passes(sitaf, tmp_path):
+def test_the_infrared_sensor_passes_and_its_coverage_is_printed(sitaf, tmp_path):
     run = sitaf("run", "examples/ir-sensor", "--result", tmp_path / "results")
     assert run.returncode == 0, run.stdout + run.stderr
     assert "GetInfraredData: 55 cases, 55 PASS" in run.stdout
     root = ElementTree.parse(tmp_path / "results" / "GetInfraredData.xml").getroot()
     assert root.find("summary").attrib["total"] == "55"
 
-
-def test_the_coverage_of_the_component_is_printed(sitaf, tmp_path):
-    run = sitaf("run", "examples/ir-sensor", "--model", "GetInfraredData", "--result", tmp_path / "result.xml")
     assert re.search(r"coverage of the component: [\d.]+ % of statements, [\d.]+ % of branches", run.stdout)
-    root = ElementTree.parse(tmp_path / "result.xml").getroot()
     assert 50 < float(root.find("summary/coverage").attrib["statement"]) <= 100
     (file,) = root.findall("coverage_list/file")
     assert file.attrib["path"] == "component/org/sitaf/examples/ir/InfraredSensor.java"

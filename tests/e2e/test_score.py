@@ -4,6 +4,8 @@ import json
 import shutil
 from pathlib import Path
 
+import pytest
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
@@ -48,6 +50,7 @@ def test_sequences_notice_steps_left_out_and_a_weaker_specification_fewer(sitaf,
     assert "TakenAway: left out" in faults
 
 
+@pytest.mark.long  # Compiles and runs each of twelve mutations; the others test the command.
 def test_weaker_specifications_are_ordered_as_by_mutations_of_the_source(sitaf):
     run = sitaf("bench", "score", "12", "--no-time")
     assert "Kendall's tau of 11 specifications, 12 mutations" in run.stdout, run.stdout + run.stderr

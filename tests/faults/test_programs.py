@@ -14,7 +14,7 @@ def outage(installed, tmp_path_factory):
     with log.open("wb") as out:
         process = subprocess.Popen(
             # Few agents: the twenty of the full program compile at the same time and would slow down the others.
-            [installed.root / "sitaf", "bench", "outage", "--away-s", "60", "--agents", "8"],
+            [installed.root / "sitaf", "bench", "outage", "--away-s", "60", "--agents", "4"],
             cwd=installed.root, stdin=subprocess.DEVNULL, stdout=out, stderr=out,
         )
     yield process, log
@@ -31,7 +31,7 @@ def outage(installed, tmp_path_factory):
         pytest.param("hardware", ("--kills", "3", "--deaths", "1", "--grace-s", "2"), id="hardware"),
         pytest.param("cluster", ("--kills", "1"), id="cluster"),
         pytest.param("cluster", ("--kills", "3"), id="cluster-longer", marks=pytest.mark.long),
-        pytest.param("kill", ("--kills", "8", "--within-s", "240"), id="kill"),
+        pytest.param("kill", ("--kills", "5", "--seed", "5", "--within-s", "240"), id="kill"),
         pytest.param("kill", ("--kills", "20", "--within-s", "240"), id="kill-longer", marks=pytest.mark.long),
     ],
 )

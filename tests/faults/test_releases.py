@@ -46,7 +46,7 @@ def output(central, tmp_path_factory):
         return same.log.read_text()
 
 
-@pytest.mark.parametrize("steps", [-1, 1])
+@pytest.mark.parametrize("steps", [-1, pytest.param(1, marks=pytest.mark.long)])
 def test_one_release_apart_works(central, output, tmp_path, steps):
     release = release_of(output, steps) if not output.count("(server 0.0.") else pytest.skip("there is no release before")
     other = installation(tmp_path / "agent", release)

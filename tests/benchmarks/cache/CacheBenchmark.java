@@ -53,7 +53,7 @@ public final class CacheBenchmark {
     try {
       Sandbox sandbox = SandboxMode.AUTO.open();
       Path installation = home.resolve(".sitaf/dist/agent");
-      Path runtimes = home.resolve(".sitaf/bench/cpp/runtime");
+      Path runtimes = home.resolve(".sitaf/cache/cpp/runtime");
       Builds cached = new Builds(Files.createDirectory(folder.resolve("cached")), installation, runtimes, sandbox);
       Builds clean = new Builds(Files.createDirectory(folder.resolve("clean")), installation, runtimes, sandbox);
       Path objects = Libraries.write(folder.resolve("libraries"));

@@ -1,0 +1,32 @@
+"""What tests need beyond the required software; without it they are skipped, except in continuous integration."""
+
+import os
+import shutil
+import subprocess
+
+import pytest
+
+
+def installed(*packages):
+    return all(shutil.which(tool) for tool in ("g++", "pkg-config", "grpc_cpp_plugin")) and all(
+        subprocess.run(["pkg-config", "--exists", package], check=False).returncode == 0 for package in packages
+    )
+
+
+def unless(there, reason):
+    # In CI, a skipped test would never run.
+    return pytest.mark.skipif(not there and "CI" not in os.environ, reason=reason)
+
+
+def requires(*packages):
+    return unless(installed(*packages), "needs ./sitaf doctor --install cpp, and " + ", ".join(packages))
+
+
+CPP = ("grpc++", "protobuf", "expat")
+cpp = requires(*CPP)
+kdl = requires(*CPP, "orocos-kdl")
+fmt = requires(*CPP, "eigen3", "fmt")
+cmake = unless(shutil.which("cmake") and installed(*CPP, "eigen3"), "needs ./sitaf doctor --install cpp, cmake and eigen3")
+clang = unless(shutil.which("clang++"), "needs clang++")
+gdb = unless(shutil.which("gdb") and installed(*CPP), "needs ./sitaf doctor --install cpp, and gdb")
+sandbox = unless(shutil.which("bwrap"), "needs bubblewrap")
