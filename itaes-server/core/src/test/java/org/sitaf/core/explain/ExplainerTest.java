@@ -7,6 +7,7 @@ import java.io.ByteArrayInputStream;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -205,6 +206,7 @@ class ExplainerTest {
     assertThat(explanation.unexplained()).isEmpty();
   }
 
+  @Tag("slow")
   @Test
   void failuresByChanceHaveNoCause() throws InterruptedException {
     TestModel model = model("");
@@ -230,6 +232,7 @@ class ExplainerTest {
     assertThat(found).isLessThanOrEqualTo(2);
   }
 
+  @Tag("slow")
   @Test
   void theSimplestCaseKeepsPreConditions() throws InterruptedException {
     TestModel model =

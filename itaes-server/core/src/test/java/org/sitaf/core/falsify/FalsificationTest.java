@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.falsify.Falsification.Executor;
 import org.sitaf.core.falsify.Falsification.Found;
@@ -81,6 +82,7 @@ class FalsificationTest {
             .toList();
   }
 
+  @Tag("slow")
   @Test
   void findsAPocketFasterThanUniformRandomSearch() throws InterruptedException {
     TestModel model = model("double", "double");

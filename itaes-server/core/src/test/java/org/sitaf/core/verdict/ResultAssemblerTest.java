@@ -8,6 +8,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -85,6 +86,7 @@ class ResultAssemblerTest {
     assertThat(judged.message()).isEqualTo("post-condition violated: actual * 2.0 == n: 3.0 == 2");
   }
 
+  @Tag("slow")
   @Test
   void aTooExpensiveConditionIsAnError() {
     String all = "actual.all(a, actual.all(b, actual.all(c, actual.all(d, a + b + c + d > -1))))";

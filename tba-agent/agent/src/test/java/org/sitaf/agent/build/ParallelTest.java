@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.Completed;
@@ -16,6 +17,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 
 /** Cases in several parallel simulations have the same results as in one. */
+@Tag("slow")
 class ParallelTest {
   private static final String BODY =
       "if (value == 7) { System.exit(4); } if (value == 31) { throw new Exception(\"no\"); }"

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,6 +52,7 @@ class AgentDirectoryTest {
     }
   }
 
+  @Tag("slow")
   @Test
   void startsDespiteOddTreesOfBuilds() throws Exception {
     startAfterLeftovers(temporary.resolve("agent"));

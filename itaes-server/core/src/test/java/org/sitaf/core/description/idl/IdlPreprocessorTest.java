@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -109,9 +110,17 @@ class IdlPreprocessorTest {
         read(
             Map.of(
                 "src/a.idl",
-                "#include \"../include/types.idl\"\n#include <types.idl>\ninterface A { M::T get(in M::N n); };",
+                "#include \"../include/types.idl\"\n"
+                    + "#include <types.idl>\n"
+                    + "interface A { M::T get(in M::N n); };",
                 "include/types.idl",
-                "#ifndef T_IDL\n#define T_IDL\n#define NUMBER long\nmodule M {\n#include \"n.idl\"\ntypedef NUMBER T; };\n#endif",
+                "#ifndef T_IDL\n"
+                    + "#define T_IDL\n"
+                    + "#define NUMBER long\n"
+                    + "module M {\n"
+                    + "#include \"n.idl\"\n"
+                    + "typedef NUMBER T; };\n"
+                    + "#endif",
                 "include/n.idl",
                 "struct N { double x; };",
                 "other/types.idl",
@@ -179,6 +188,7 @@ class IdlPreprocessorTest {
         .anyMatch(line -> line.contains(": error: " + problem));
   }
 
+  @Tag("slow")
   @Test
   void growthIsBounded() {
     StringBuilder text = new StringBuilder("#define M0 long x; long x;\n");

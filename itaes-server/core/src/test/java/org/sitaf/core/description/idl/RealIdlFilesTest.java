@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.description.importer.InterfaceFiles;
 import org.sitaf.core.description.source.ImportResult;
@@ -18,6 +19,7 @@ import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Severity;
 
 /** Reads the IDL files of Cyclone DDS and Fast-DDS. */
+@Tag("slow")
 class RealIdlFilesTest {
   private static final Path FILES = Path.of("../../../shared/idl");
 

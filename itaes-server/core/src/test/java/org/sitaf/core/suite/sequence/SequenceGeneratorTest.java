@@ -8,6 +8,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -121,6 +122,7 @@ class SequenceGeneratorTest {
             });
   }
 
+  @Tag("slow")
   @Test
   void aHundredRandomModelsAreCovered() {
     GenerationOptions fast = new GenerationOptions(null, null, 1, Effort.FAST);
