@@ -141,7 +141,8 @@ record Rotation(double w, double x, double y, double z, double[] rpy) {
     return 0;
   }
 
-  private static double exact(double number) {
+  /** The number, or the value of a common angle from which only rounding separates it. */
+  static double exact(double number) {
     for (double candidate : EXACT) {
       if (StrictMath.abs(StrictMath.abs(number) - candidate) <= ROUNDING) {
         return number < 0 ? 0.0 - candidate : candidate;

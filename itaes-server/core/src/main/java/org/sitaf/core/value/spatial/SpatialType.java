@@ -123,8 +123,15 @@ public final class SpatialType {
   static double[] turned(double[] v, double angle) {
     double sine = StrictMath.sin(angle);
     double cosine = StrictMath.cos(angle);
+    if (StrictMath.abs(angle) >= 1) {
+      // A half turn gives exactly the opposite direction, where code that divides by the sine of
+      // the
+      // angle breaks.
+      sine = Rotation.exact(sine);
+      cosine = Rotation.exact(cosine);
+    }
     return v[0] == 0 && v[1] == 0
-        ? new double[] {0, -sine * v[2] + 0.0, cosine * v[2]}
+        ? new double[] {0, -sine * v[2] + 0.0, cosine * v[2] + 0.0}
         : new double[] {cosine * v[0] - sine * v[1] + 0.0, sine * v[0] + cosine * v[1] + 0.0, v[2]};
   }
 

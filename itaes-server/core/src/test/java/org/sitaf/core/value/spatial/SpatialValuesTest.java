@@ -134,6 +134,19 @@ class SpatialValuesTest {
   }
 
   @Test
+  void aHalfTurnGivesExactlyTheOppositeDirection() {
+    SpatialType type = SpatialType.direction(struct("x", "y", "z"));
+    assertThat(type.turned("{x: -0.6, y: 0.8, z: 0.0}", Math.PI))
+        .isEqualTo("{x: 0.6, y: -0.8, z: 0.0}");
+    assertThat(type.turned("{x: 0.0, y: 0.0, z: 1.0}", -Math.PI))
+        .isEqualTo("{x: 0.0, y: 0.0, z: -1.0}");
+    assertThat(type.turned("{x: 0.0, y: 0.0, z: -1.0}", Math.PI / 2))
+        .isEqualTo("{x: 0.0, y: 1.0, z: 0.0}");
+    assertThat(type.turned("{x: 1.0, y: 0.0, z: 0.0}", 1e-17))
+        .isEqualTo("{x: 1.0, y: 1.0E-17, z: 0.0}");
+  }
+
+  @Test
   void aPoseHasAPositionAndAnOrientation() {
     DataType type =
         new DataType.Struct(
