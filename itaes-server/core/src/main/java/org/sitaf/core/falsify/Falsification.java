@@ -14,6 +14,7 @@ import org.hipparchus.optim.nonlinear.scalar.GoalType;
 import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
 import org.hipparchus.optim.nonlinear.scalar.noderiv.CMAESOptimizer;
 import org.hipparchus.random.Well19937c;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.model.Value;
 
@@ -44,6 +45,9 @@ public final class Falsification {
   /** Distance of starts as a share of the ranges (root mean square). */
   private static final double FAR = 0.25;
 
+  /** Cases in a batch of uniformly distributed values. */
+  private static final int UNIFORM_BATCH = 50;
+
   /** Runs without a new case after which the ranges are considered exhausted. */
   private static final int MAX_FRUITLESS = 20;
 
@@ -55,6 +59,7 @@ public final class Falsification {
   private final Proposals proposals;
   private int executions;
   private Found best = new Found(List.of(), new Outcome(Double.POSITIVE_INFINITY, false, ""), 0);
+  private @Nullable Found firstViolation;
 
   /** Executes cases. */
   @FunctionalInterface
@@ -154,7 +159,8 @@ public final class Falsification {
 
   /**
    * Executes cases with uniformly distributed values until one violates the condition: the rival of
-   * {@link #search}, whose batches have the same size.
+   * {@link #search}. The cases do not depend on each other, so its batches are large; the cases of
+   * a batch after the one that violates the condition do not count.
    *
    * @param others give the values of inputs without a range
    */
@@ -164,13 +170,15 @@ public final class Falsification {
     while (!isOver() && !others.isEmpty() && fruitless < MAX_FRUITLESS) {
       int before = executions;
       List<List<Value>> rows = new ArrayList<>();
-      for (int i = 0; i < population(); i++) {
+      for (int i = 0; i < UNIFORM_BATCH; i++) {
         rows.add(anywhere(others, random));
       }
       execute(rows);
       fruitless = executions == before ? fruitless + 1 : 0;
     }
-    return new Found(best.row(), best.outcome(), executions);
+    return firstViolation == null
+        ? new Found(best.row(), best.outcome(), executions)
+        : firstViolation;
   }
 
   private List<Value> anywhere(List<List<Value>> others, Well19937c random) {
@@ -308,6 +316,9 @@ public final class Falsification {
         continue;
       }
       executions++;
+      if (outcome.violated() && firstViolation == null) {
+        firstViolation = new Found(fresh.get(i), outcome, executions);
+      }
       if (!outcome.condition().isEmpty() && isWorse(outcome, best.outcome())) {
         best = new Found(fresh.get(i), outcome, executions);
       }
@@ -320,7 +331,7 @@ public final class Falsification {
         : value(one) < value(other) || other.condition().isEmpty();
   }
 
-  private static double value(@org.jspecify.annotations.Nullable Outcome outcome) {
+  private static double value(@Nullable Outcome outcome) {
     if (outcome == null || Double.isNaN(outcome.margin())) {
       return WORST;
     }

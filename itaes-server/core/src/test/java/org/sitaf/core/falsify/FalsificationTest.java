@@ -147,6 +147,26 @@ class FalsificationTest {
   }
 
   @Test
+  void uniformSearchCountsTheCasesUpToTheFirstViolation() throws InterruptedException {
+    TestModel model = model("double", "double");
+    List<List<Value>> executed = new ArrayList<>();
+    Executor worseAndWorse =
+        rows ->
+            rows.stream()
+                .map(
+                    row -> {
+                      executed.add(row);
+                      return new Outcome(6 - executed.size(), executed.size() > 6, "settles");
+                    })
+                .toList();
+    Found found =
+        new Falsification(SearchSpace.of(model, 1), BUDGET, 1, worseAndWorse)
+            .searchUniformly(covering(model));
+    assertThat(found.executions()).isEqualTo(7);
+    assertThat(found.row()).isEqualTo(executed.get(6));
+  }
+
+  @Test
   void casesThatCannotBeExecutedAreNotCounted() throws InterruptedException {
     TestModel model = model("double", "double");
     Executor none =
