@@ -11,6 +11,13 @@ from portal.browsing import ROOT, actual_of, expect, home_of, serious, shot, zip
 # The cases should end one by one.
 SLOW = "java.util.concurrent.locks.LockSupport.parkNanos(2_000_000_000L);"
 
+# The second run of each case begins at another place.
+RELATION = """<relation_list>
+    <relation name="ends at the same place">
+      <change name="StartX">0.5</change><holds>near(after.robot_x, before.robot_x, 0.1)</holds>
+    </relation>
+  </relation_list>"""
+
 # The share of different pixels in two screenshots.
 DIFFERENCE = """async ([one, other]) => {
   const pixels = async (picture) => {
@@ -197,6 +204,30 @@ def test_a_browser_without_webgl_shows_the_readings(page, build):
     page.get_by_text(re.compile("^Table of readings")).click()
     table = page.get_by_role("table", name="Readings over time")
     expect(table.get_by_role("columnheader", name="robot_x")).to_be_visible()
+
+
+def test_both_runs_of_a_relation_replay_side_by_side(page, tmp_path):
+    shutil.copytree(ROOT / "examples" / "touchless-approach", tmp_path / "related")
+    model = tmp_path / "related" / "Approach.xml"
+    end = "</trajectory_condition_spec_list>"
+    model.write_text(model.read_text().replace(end, f"{end}\n  {RELATION}"))
+    page.goto(home_of(page))
+    page.get_by_role("link", name="Activities", exact=True).click()
+    page.get_by_label("Zip file of an activity").set_input_files(zip_of(tmp_path / "related", tmp_path / "related.zip"))
+    page.get_by_role("button", name="Build now: touchless-approach Approach").click()
+    page.get_by_role("tab", name="Log").wait_for()
+    # The build executes each case twice.
+    page.get_by_role("heading", name="Result", exact=True).wait_for(timeout=300_000)
+    page.goto(f"{page.url.split('?')[0]}/cases/1")
+    page.get_by_role("button", name="Show both runs of “ends at the same place”").click()
+    both = page.get_by_role("group", name="Both replays")
+    for run in ("First run", "Second run"):
+        both.get_by_role("application", name=f"3D replay of case 1, {run}").wait_for()
+    # The second run starts at another place.
+    expect(both.get_by_role("status").first).to_contain_text("They diverge at 0.000 s")
+    shot(page, "relation-replays")
+    page.get_by_role("button", name="Hide both runs of “ends at the same place”").click()
+    expect(both).to_have_count(0)
 
 
 def test_the_browser_reported_no_errors(page):
