@@ -129,6 +129,34 @@ def test_a_package_of_a_component_does_not_run_when_a_node_is_compiled(sitaf, tm
     assert run.returncode == 0, run.stdout + run.stderr
 
 
+def test_a_node_cannot_open_the_channel_of_results_of_its_driver(sitaf, tmp_path):
+    shutil.copytree(ROOT / "examples/velocity-mux-ros", tmp_path / "hostile")
+    node = tmp_path / "hostile/src/velocity_mux/velocity_mux/mux.py"
+    node.write_text(
+        """
+import glob, os
+
+own = f"/proc/{os.getpid()}/"
+opened = []
+for link in glob.glob("/proc/[0-9]*/fd/*") + [f"/proc/{os.getppid()}/fd/{fd}" for fd in range(3, 256)]:
+    try:
+        if not link.startswith(own) and os.readlink(link).startswith("pipe:"):
+            opened.append(os.open(link, os.O_WRONLY | os.O_NONBLOCK))
+    except OSError:
+        continue
+try:
+    opened.append(os.open(f"/proc/{os.getppid()}/mem", os.O_RDWR))
+except OSError:
+    pass
+if opened:
+    raise RuntimeError(f"opened {len(opened)} files of other processes")
+"""
+        + node.read_text()
+    )
+    run = sitaf("run", tmp_path / "hostile", "--no-coverage")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
 def test_an_exception_in_a_callback_is_an_error(sitaf, tmp_path):
     copy = shutil.copytree(ROOT / "examples" / "velocity-mux-ros", tmp_path / "copy")
     node = copy / "src" / "velocity_mux" / "velocity_mux" / "mux.py"

@@ -112,6 +112,11 @@ if command -v bwrap >/dev/null; then
   fi
   unified=$(own_group "")
   delegate="start the agent by its systemd unit (docs/systemd), by 'systemd-run --user --scope -p Delegate=yes' or, with control groups v1, as root"
+  if python3 -c 'import ctypes, sys; sys.exit(ctypes.CDLL(None).syscall(444, None, ctypes.c_size_t(0), 1) < 1)' 2>/dev/null; then
+    feature "ROS 2 nodes" "kept out of their driver" ""
+  else
+    feature "ROS 2 nodes" "NOT KEPT OUT OF THEIR DRIVER" "they could write results; needs Linux 5.13 or newer with Landlock (lsm=landlock,...)"
+  fi
   if [ -n "$(own_group memory)" ]; then
     feature "memory" "control groups v1" ""
   elif [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw memory "$unified/cgroup.controllers"; then
