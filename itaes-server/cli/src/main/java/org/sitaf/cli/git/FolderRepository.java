@@ -18,7 +18,8 @@ import org.sitaf.core.git.NoUserConfiguration;
 
 /**
  * The Git repository that holds a folder. Only objects are read: no hook, filter or other program
- * runs, no configuration of the user is read, and nothing is written.
+ * runs, no configuration of the user is read, that of the repository refers to no other files, and
+ * nothing is written.
  */
 final class FolderRepository implements AutoCloseable {
   private final Path folder;
@@ -50,6 +51,7 @@ final class FolderRepository implements AutoCloseable {
       throw InvalidInputException.of(
           folder.toString(), "is not in a Git repository; without one, name two folders");
     }
+    RepositoryConfiguration.requireWithoutIncludes(builder.getGitDir().toPath());
     Repository repository = builder.build();
     try {
       if (repository.isBare()) {

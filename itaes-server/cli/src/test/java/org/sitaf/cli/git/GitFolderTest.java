@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.eclipse.jgit.dircache.DirCache;
 import org.eclipse.jgit.dircache.DirCacheEntry;
@@ -157,6 +158,43 @@ class GitFolderTest {
     for (String revision : new String[] {"nowhere", "HEAD~1", "-x", "--upload-pack=x", "^^^{"}) {
       assertThat(problem("a", revision)).contains("is no revision of the repository");
     }
+  }
+
+  @Test
+  @Timeout(20)
+  void readsNoFileThatTheConfigurationIncludes(@TempDir Path other) throws IOException {
+    commit("a/file", FileMode.REGULAR_FILE, "");
+    Path config = directory.resolve(".git/config");
+    String original = Files.readString(config);
+    for (String header : new String[] {"[include]", "[INCLUDE]", "[include \"x\"]"}) {
+      Files.writeString(config, original + header + "\n  path = /dev/zero\n");
+      assertThat(problem("a", "HEAD")).contains("config").contains("includes other files");
+    }
+
+    // The working tree of a submodule or of `git worktree` names the folder of its repository.
+    Path linked = Files.createDirectories(directory.resolve(".git/worktrees/w"));
+    Files.writeString(linked.resolve("HEAD"), Files.readString(directory.resolve(".git/HEAD")));
+    Files.writeString(linked.resolve("commondir"), "../..\n");
+    Files.writeString(linked.resolve("gitdir"), other.resolve(".git") + "\n");
+    Files.createDirectories(other.resolve("a"));
+    Files.writeString(other.resolve(".git"), "gitdir: " + linked + "\n");
+    assertThatThrownBy(() -> GitFolder.read(other.resolve("a"), "HEAD"))
+        .hasMessageContaining("includes other files");
+    Files.writeString(config, original);
+    assertThat(GitFolder.read(other.resolve("a"), "HEAD").paths()).containsExactly("file");
+  }
+
+  @Test
+  @Timeout(20)
+  void refusesAConfigurationThatIsNoText() throws IOException {
+    commit("a/file", FileMode.REGULAR_FILE, "");
+    Path config = directory.resolve(".git/config");
+    Files.delete(config);
+    Files.createSymbolicLink(config, Path.of("/dev/zero"));
+    assertThat(problem("a", "HEAD")).contains("is not a regular file");
+    Files.delete(config);
+    Files.writeString(config, "#".repeat((1 << 20) + 1));
+    assertThat(problem("a", "HEAD")).contains("more than 1048576 bytes");
   }
 
   @Test
