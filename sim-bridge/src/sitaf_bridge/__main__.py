@@ -4,7 +4,11 @@ Imports are inside of the guard, because the processes that compile worlds impor
 """
 
 if __name__ == "__main__":
+    import os
     import sys
+
+    # Otherwise MuJoCo loads GLFW, which starts another interpreter; cameras have contexts of their own.
+    os.environ["MUJOCO_GL"] = "disable"
 
     from sitaf_bridge.commands import main
 

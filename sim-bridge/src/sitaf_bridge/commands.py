@@ -13,6 +13,7 @@ from sitaf_bridge.errors import BridgeError
 from sitaf_bridge.server.address import BadAddress, parse_address, read_guard
 from sitaf_bridge.server.serving import Settings, serving
 from sitaf_bridge.server.stopping import StopSignal
+from sitaf_bridge.world import isolation
 from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.description.source import DESCRIPTION_SUFFIX, read_world
 from sitaf_bridge.world.devices import KINDS
@@ -152,6 +153,8 @@ def _propose(robot: Path, into: Path) -> int:
 
 
 def _serve(options: argparse.Namespace) -> int:
+    # A fork of this process costs nothing; a new interpreter would load all modules again.
+    isolation.prepare()
     ending = StopSignal()
     ending.on_signals()
     missing = [str(path) for path in options.worlds if not path.exists()]

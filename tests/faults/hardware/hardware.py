@@ -7,6 +7,7 @@
 """
 
 import argparse
+import contextlib
 import os
 import random
 import re
@@ -204,7 +205,9 @@ def death(folder, victim):
         seen = len(provider.entries())
         began = time.monotonic()
         for pid in pids:
-            os.kill(pid, number)
+            # A simulator has a second process, which may end with the first.
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, number)
         while time.monotonic() < began + 10:
             stops = [at for name, _, at in provider.entries()[seen:] if name == "stop" and at >= began]
             if stops:
