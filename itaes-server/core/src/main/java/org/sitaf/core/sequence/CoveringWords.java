@@ -93,9 +93,11 @@ public final class CoveringWords {
     words = shortened(withoutSuperfluous(words, required), required);
     if (inWord() <= MAX_IN_WORD) {
       boolean all = free && repeat && required.cardinality() == space.size();
-      words = search.reduce(words, length, required, this::isPossible, all);
+      words = compact(search.reduce(words, length, required, this::isPossible, all));
+      // The search may end with a word that the others do not need.
+      words = withoutSuperfluous(words, required);
     }
-    return shortened(compact(words), required);
+    return shortened(words, required);
   }
 
   /** Removes the tuples that a word contains. */

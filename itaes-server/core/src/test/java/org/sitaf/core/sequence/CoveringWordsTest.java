@@ -60,7 +60,7 @@ class CoveringWordsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"8,2,8,4", "5,3,9,4", "6,3,12,3"})
+  @CsvSource({"8,2,8,4", "5,3,7,7", "5,3,9,4", "6,3,12,3"})
   @Tag("long")
   void moreStepsThatRepeatNeedFewWords(int letters, int strength, int length, int most) {
     assertFewWords(letters, strength, length, most);
@@ -94,5 +94,32 @@ class CoveringWordsTest {
     assertThat(words.cover(allowed, Effort.DEFAULT, 1, Progress.NONE))
         .singleElement()
         .isEqualTo(new int[] {0, 1, 1});
+  }
+
+  @org.junit.jupiter.api.Test
+  void everyWordContainsARequiredTuple() {
+    // Steps 0 and 1 lead from one state to the other and back. The last step ends a word, as a
+    // forbidden call does, and is possible in the second state; all required tuples end with it.
+    int end = 10;
+    int[][][] successors = new int[3][end + 1][];
+    for (int step = 0; step <= end; step++) {
+      successors[0][step] = step == 0 ? new int[] {1} : new int[] {0};
+      successors[1][step] = step == 1 ? new int[] {0} : step == end ? new int[] {2} : new int[] {1};
+      successors[2][step] = new int[0];
+    }
+    successors[0][1] = new int[0];
+    successors[0][end] = new int[0];
+    successors[1][0] = new int[0];
+    TupleSpace space = new TupleSpace(end + 1, 3);
+    CoveringWords words = new CoveringWords(new Machine(end + 1, successors), space, 5, true);
+    BitSet required = words.allowed();
+    for (int tuple = 0; tuple < space.size(); tuple++) {
+      required.set(tuple, required.get(tuple) && space.letters(tuple)[2] == end);
+    }
+
+    for (long seed = 1; seed <= 6; seed++) {
+      List<int[]> found = words.cover(required, Effort.FAST, seed, Progress.NONE);
+      assertThat(found).as("seed " + seed).allMatch(word -> word[word.length - 1] == end);
+    }
   }
 }

@@ -5,15 +5,17 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A group that acts on words: cycles of the letters, and reversal. A search for words of which all
- * images are used is smaller by the size of the group.
+ * A cyclic group of permutations of the letters. A search for words of which all images are used is
+ * smaller by the order of the group.
  *
- * @param images each image as a permutation of the letters; the first is the identity
- * @param reversal whether each image is also read backwards
+ * @param images each permutation; the first is the identity
  */
-record Symmetry(List<int[]> images, boolean reversal) {
+record Symmetry(List<int[]> images) {
+  /** Only the identity, for which no letters are needed. */
+  static final Symmetry NONE = new Symmetry(List.of(new int[0]));
+
   /** Cycles of one length over the letters; letters that are left over are fixed. */
-  static Symmetry cyclic(int letters, int cycle, boolean reversal) {
+  static Symmetry cyclic(int letters, int cycle) {
     List<int[]> images = new ArrayList<>();
     int moved = letters / cycle * cycle;
     for (int shift = 0; shift < cycle; shift++) {
@@ -23,43 +25,21 @@ record Symmetry(List<int[]> images, boolean reversal) {
       }
       images.add(image);
     }
-    return new Symmetry(images, reversal);
+    return new Symmetry(images);
   }
 
   /** The number of words that a word stands for. */
   int order() {
-    return images.size() * (reversal ? 2 : 1);
+    return images.size();
   }
 
-  /** All words that a word stands for. */
+  /** All words that a word stands for, itself first. */
   List<int[]> orbit(int[] word) {
     List<int[]> orbit = new ArrayList<>();
-    for (int[] image : images) {
-      int[] mapped =
-          Arrays.stream(word).map(letter -> letter < 0 ? letter : image[letter]).toArray();
-      orbit.add(mapped);
-      if (reversal) {
-        int[] reversed = new int[mapped.length];
-        for (int i = 0; i < mapped.length; i++) {
-          reversed[i] = mapped[mapped.length - 1 - i];
-        }
-        orbit.add(reversed);
-      }
+    orbit.add(word);
+    for (int[] image : images.subList(1, images.size())) {
+      orbit.add(Arrays.stream(word).map(letter -> letter < 0 ? letter : image[letter]).toArray());
     }
     return orbit;
-  }
-
-  /** The smallest tuple of each tuple's orbit. */
-  int[] classes(TupleSpace space) {
-    int[] classOf = new int[space.size()];
-    Arrays.fill(classOf, -1);
-    for (int tuple = 0; tuple < classOf.length; tuple++) {
-      if (classOf[tuple] < 0) {
-        for (int[] image : orbit(space.letters(tuple))) {
-          classOf[space.index(image)] = tuple;
-        }
-      }
-    }
-    return classOf;
   }
 }

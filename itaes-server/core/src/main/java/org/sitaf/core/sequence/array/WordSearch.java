@@ -1,6 +1,7 @@
 package org.sitaf.core.sequence.array;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
@@ -10,29 +11,40 @@ import org.sitaf.core.combine.search.Budget;
 
 /**
  * Searches words of one length that contain every required t-tuple of letters as a subsequence, by
- * simulated annealing over a fixed number of words. A step changes one letter of a word so that an
- * uncovered tuple becomes more complete there. A place may be empty.
+ * simulated annealing over a fixed number of words. One word at a time is changed in several steps,
+ * so that it contains more of the tuples that all others lack. A place may be empty.
  */
 final class WordSearch {
   /** A place without a letter. */
   static final int EMPTY = -1;
 
-  private static final double HOT = 0.3;
-  private static final double COLD = 0.12;
+  private static final double HOT = 0.4;
+  private static final double COLD = 0.1;
 
-  private final TupleSpace space;
-  private final Uncovered uncovered;
-  private final SeededRandom random;
+  /** Changes of one word before the next one is chosen. */
+  private static final int CHANGES = 30;
+
+  /** Share of the changes that are made for a chosen tuple. */
+  private static final double GUIDED = 0.2;
+
   private final int letters;
   private final int strength;
+  private final TupleBits bits;
+  private final Missing missing;
+  private final SeededRandom random;
   private final int[][] words;
+  private final long[][] tuplesOf;
   private final Symmetry symmetry;
-  private final int[] classOf;
   private final Predicate<int[]> executable;
+  private final boolean mayBeEmpty;
+
+  /** The first words, of which all images are used. */
+  private final int symmetricWords;
 
   /**
+   * @param required numbers of the tuples
    * @param words where the search starts, all of one length
-   * @param symmetry under which the required and executable words are closed
+   * @param symmetry between these words, as far as their number allows
    * @param executable which words are possible
    */
   WordSearch(
@@ -42,81 +54,130 @@ final class WordSearch {
       Symmetry symmetry,
       Predicate<int[]> executable,
       long seed) {
-    this.space = space;
     this.letters = space.letters();
     this.strength = space.strength();
     this.symmetry = symmetry;
-    this.classOf = symmetry.classes(space);
-    this.uncovered =
-        new Uncovered(space.size(), tuple -> required.test(tuple) && classOf[tuple] == tuple);
+    this.bits = new TupleBits(space);
+    this.missing = new Missing(space, bits, required);
     this.random = new SeededRandom(seed);
-    this.words = words.stream().map(int[]::clone).toArray(int[][]::new);
+    this.symmetricWords = words.size() / symmetry.order();
+    int units = symmetricWords + words.size() % symmetry.order();
+    this.words = words.stream().limit(units).map(int[]::clone).toArray(int[][]::new);
+    this.mayBeEmpty = words.stream().flatMapToInt(Arrays::stream).anyMatch(l -> l == EMPTY);
+    this.tuplesOf = new long[units][];
+    for (int w = 0; w < units; w++) {
+      tuplesOf[w] = tuples(w, this.words[w]);
+    }
     this.executable = executable;
+  }
+
+  /** What is used of a word: also its images, if it is one of the first words. */
+  private List<int[]> used(int w, int[] word) {
+    return w < symmetricWords ? symmetry.orbit(word) : List.of(word);
+  }
+
+  private long[] tuples(int w, int[] word) {
+    long[] set = bits.empty();
+    used(w, word).forEach(image -> bits.add(image, set));
+    return set;
   }
 
   /** The words; empty if the budget did not suffice. */
   Optional<List<int[]>> search(Budget budget) {
-    uncovered.clear();
-    for (int[] word : words) {
-      budget.spend(add(word));
+    for (long[] tuples : tuplesOf) {
+      missing.add(tuples);
     }
     long total = Math.max(1, budget.remaining());
-    while (uncovered.size() > 0 && !budget.isExhausted()) {
+    while (missing.size() > 0 && !budget.isExhausted()) {
       double used = 1 - (double) budget.remaining() / total;
-      double temperature = HOT * Math.pow(COLD / HOT, used);
-      for (int i = 0; i < 64 && uncovered.size() > 0; i++) {
-        budget.spend(step(temperature));
-      }
+      improve(random.nextInt(words.length), HOT * Math.pow(COLD / HOT, used), budget);
     }
-    if (uncovered.size() > 0) {
+    if (missing.size() > 0) {
       return Optional.empty();
     }
     List<int[]> all = new ArrayList<>();
-    for (int[] word : words) {
-      all.addAll(symmetry.orbit(word));
+    for (int w = 0; w < words.length; w++) {
+      all.addAll(used(w, words[w]));
     }
     return Optional.of(all);
   }
 
-  private long add(int[] word) {
-    return change(word, -1, 0, EMPTY, EMPTY, false, 0, 0, strength);
+  /** The number of tuples that no word contains at the end of the search. */
+  int missing() {
+    return missing.size();
   }
 
-  private long step(double temperature) {
-    List<int[]> orbit =
-        symmetry.orbit(space.letters(uncovered.member(random.nextInt(uncovered.size()))));
-    int[] tuple = orbit.get(random.nextInt(orbit.size()));
-    int[] word = words[random.nextInt(words.length)];
-    int[] places = nearest(word, tuple);
-    int wrong = 0;
-    for (int i = 0; i < strength; i++) {
-      wrong += word[places[i]] == tuple[i] ? 0 : 1;
-    }
-    int chosen = random.nextInt(wrong);
-    for (int i = 0; i < strength; i++) {
-      if (word[places[i]] != tuple[i] && chosen-- == 0) {
-        return (long) (word.length + 4 * orbit.size()) * strength
-            + replace(word, places[i], tuple[i], temperature);
+  /** Changes one word, while the others stay. */
+  private void improve(int w, double temperature, Budget budget) {
+    missing.remove(tuplesOf[w]);
+    int gain = TupleBits.common(tuplesOf[w], missing.bits());
+    long operations =
+        bits.operations(words[w].length) * (w < symmetricWords ? symmetry.order() : 1);
+    for (int i = 0; i < CHANGES && gain < missing.size(); i++) {
+      budget.spend(operations);
+      int[] changed = changed(words[w], tuplesOf[w], missing.size() - gain);
+      long[] tuples = tuples(w, changed);
+      int then = TupleBits.common(tuples, missing.bits());
+      boolean accepted =
+          then >= gain || random.nextDouble() < Math.exp((then - gain) / temperature);
+      if (accepted && executable.test(changed)) {
+        words[w] = changed;
+        tuplesOf[w] = tuples;
+        gain = then;
       }
     }
-    return 1;
+    missing.add(tuplesOf[w]);
   }
 
-  private long replace(int[] word, int place, int letter, double temperature) {
-    int old = word[place];
-    word[place] = letter;
-    if (!executable.test(word)) {
-      word[place] = old;
-      return word.length;
+  /** A word with one letter replaced, two letters exchanged, or one letter at another place. */
+  private int[] changed(int[] word, long[] tuples, int lacking) {
+    int[] changed = word.clone();
+    if (random.nextDouble() < GUIDED) {
+      int bit = TupleBits.member(missing.bits(), tuples, random.nextInt(lacking));
+      if (complete(changed, bits.tuple(bit))) {
+        return changed;
+      }
     }
-    int before = uncovered.size();
-    long operations = change(word, place, 0, old, letter, false, 0, 0, strength);
-    int worse = uncovered.size() - before;
-    if (worse > 0 && random.nextDouble() >= Math.exp(-worse / temperature)) {
-      word[place] = old;
-      operations += change(word, place, 0, letter, old, false, 0, 0, strength);
+    int place = random.nextInt(word.length);
+    int other = random.nextInt(word.length);
+    switch (random.nextInt(4)) {
+      case 0 -> {
+        changed[place] = word[other];
+        changed[other] = word[place];
+      }
+      case 1 -> move(changed, place, other, random.nextInt(2) == 0 ? word[place] : letter());
+      default -> changed[place] = letter();
     }
-    return operations;
+    return changed;
+  }
+
+  private int letter() {
+    return mayBeEmpty ? random.nextInt(letters + 1) - 1 : random.nextInt(letters);
+  }
+
+  private static void move(int[] word, int from, int to, int letter) {
+    if (from < to) {
+      System.arraycopy(word, from + 1, word, from, to - from);
+    } else {
+      System.arraycopy(word, to, word, to + 1, from - to);
+    }
+    word[to] = letter;
+  }
+
+  /** Sets one letter so that a tuple becomes more complete. */
+  private boolean complete(int[] word, int[] tuple) {
+    int[] places = nearest(word, tuple);
+    int wrong = 0;
+    int chosen = -1;
+    for (int i = 0; i < strength; i++) {
+      if (word[places[i]] != tuple[i] && random.nextInt(++wrong) == 0) {
+        chosen = i;
+      }
+    }
+    if (chosen >= 0) {
+      word[places[chosen]] = tuple[chosen];
+    }
+    return chosen >= 0;
   }
 
   /** Increasing places of a word with as many letters of the tuple as possible. */
@@ -146,65 +207,5 @@ final class WordSearch {
       p = places[i] + 1;
     }
     return places;
-  }
-
-  /**
-   * Replaces the tuples of one place by those with another letter there; with no place, adds all.
-   */
-  private long change(
-      int[] word,
-      int place,
-      int from,
-      int oldLetter,
-      int newLetter,
-      boolean held,
-      int old,
-      int changed,
-      int left) {
-    if (left == 0) {
-      if (place < 0) {
-        uncovered.add(classOf[changed]);
-      } else if (held) {
-        if (newLetter != EMPTY) {
-          uncovered.add(classOf[changed]);
-        }
-        if (oldLetter != EMPTY) {
-          uncovered.remove(classOf[old]);
-        }
-      }
-      return 1;
-    }
-    long count = 0;
-    for (int i = from; i <= word.length - left; i++) {
-      if (i == place) {
-        count +=
-            change(
-                word,
-                place,
-                i + 1,
-                oldLetter,
-                newLetter,
-                true,
-                old * letters + Math.max(0, oldLetter),
-                changed * letters + Math.max(0, newLetter),
-                left - 1);
-      } else if (word[i] != EMPTY && (held || left > 1 || place < 0)) {
-        if (!held && place >= 0 && i > place) {
-          break;
-        }
-        count +=
-            change(
-                word,
-                place,
-                i + 1,
-                oldLetter,
-                newLetter,
-                held,
-                old * letters + word[i],
-                changed * letters + word[i],
-                left - 1);
-      }
-    }
-    return count;
   }
 }
