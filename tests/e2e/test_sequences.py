@@ -140,6 +140,17 @@ def test_a_preempted_goal_that_is_resumed_fails_after_the_cancel(sitaf):
     )
 
 
+def test_a_release_of_a_package_that_resumes_wrongly_fails_at_its_step(sitaf):
+    run = sitaf("run", "examples/py-trees")
+    assert run.returncode == 0, run.stdout + run.stderr
+    run = sitaf("run", "examples/py-trees-2.1.1")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert re.search(
+        r"step \d+ \(Resume\): visited: expected 1, but was 2", run.stdout
+    ), run.stdout
+    assert ", 0 ERROR," in run.stdout
+
+
 def test_compare_names_the_first_step_that_differs(sitaf, tmp_path):
     report = tmp_path / "compared.json"
     run = sitaf(
