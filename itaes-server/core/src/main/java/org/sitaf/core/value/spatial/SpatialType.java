@@ -124,8 +124,7 @@ public final class SpatialType {
     double sine = StrictMath.sin(angle);
     double cosine = StrictMath.cos(angle);
     if (StrictMath.abs(angle) >= 1) {
-      // A half turn gives exactly the opposite direction, where code that divides by the sine of
-      // the
+      // A half turn gives exactly the opposite direction, where a division by the sine of the
       // angle breaks.
       sine = Rotation.exact(sine);
       cosine = Rotation.exact(cosine);
