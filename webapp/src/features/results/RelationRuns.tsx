@@ -34,43 +34,44 @@ export function RelationRuns({ item, parameters }: RelationRunsProps) {
   ));
 }
 
+/** A value a row, because a case with many inputs would be wider than its page. */
 function BothRuns({ item, relation, parameters }: RelationRunsProps & { relation: Relation }) {
   const outputs = [...new Set([...Object.keys(item.actual), ...Object.keys(relation.actual)])];
-  const runs = [
-    { label: 'First run', values: item.values, actual: item.actual },
-    { label: 'Second run', values: relation.values, actual: relation.actual },
+  const rows = [
+    ...parameters.map(({ name }, index) => ({
+      key: `i ${name}`,
+      label: name,
+      first: item.values[index] ?? '',
+      second: relation.values[index] ?? '',
+    })),
+    ...outputs.map((name) => ({
+      key: `o ${name}`,
+      label: `Actual ${name}`,
+      first: item.actual[name] ?? '–',
+      second: relation.actual[name] ?? '–',
+    })),
   ];
   return (
     <ScrollTable label={`Runs of the relation ${relation.name}`} minWidth={320}>
       <Table.Thead>
         <Table.Tr>
-          <Table.Th>Run</Table.Th>
-          {parameters.map(({ name }) => (
-            <Table.Th key={`i ${name}`}>
-              <UserText>{name}</UserText>
-            </Table.Th>
-          ))}
-          {outputs.map((name) => (
-            <Table.Th key={`o ${name}`}>
-              <UserText>{`Actual ${name}`}</UserText>
-            </Table.Th>
-          ))}
+          <Table.Th>Value</Table.Th>
+          <Table.Th>First run</Table.Th>
+          <Table.Th>Second run</Table.Th>
         </Table.Tr>
       </Table.Thead>
       <Table.Tbody>
-        {runs.map(({ label, values, actual }) => (
-          <Table.Tr key={label}>
-            <Table.Th scope="row">{label}</Table.Th>
-            {parameters.map(({ name }, index) => (
-              <Table.Td key={`i ${name}`}>
-                <UserText>{values[index] ?? ''}</UserText>
-              </Table.Td>
-            ))}
-            {outputs.map((name) => (
-              <Table.Td key={`o ${name}`}>
-                <UserText>{actual[name] ?? '–'}</UserText>
-              </Table.Td>
-            ))}
+        {rows.map(({ key, label, first, second }) => (
+          <Table.Tr key={key}>
+            <Table.Th scope="row">
+              <UserText>{label}</UserText>
+            </Table.Th>
+            <Table.Td>
+              <UserText>{first}</UserText>
+            </Table.Td>
+            <Table.Td fw={first === second ? undefined : 600}>
+              <UserText>{second}</UserText>
+            </Table.Td>
           </Table.Tr>
         ))}
       </Table.Tbody>
