@@ -1,6 +1,5 @@
 """A component that attacks the machine that tests it, in one of many ways; it reports successful attacks as `BREACH ...`."""
 
-import contextlib
 import ctypes
 import errno
 import mmap
@@ -166,15 +165,13 @@ class Attacks:
                 continue
             if b"agent.jar" in line or b"sitaf-server" in line:
                 breach(f"sees process {entry.name}")
-            # The first process of the sandbox. It has the same user if the agent is not root, but nothing that is secret.
-            if b"bwrap" in line:
-                with contextlib.suppress(OSError):
-                    names = {each.partition(b"=")[0].decode() for each in (entry / "environ").read_bytes().split(b"\0") if each}
-                    if names - {"PATH", "HOME", "TMPDIR", "LANG", "SITAF_RUN"}:
-                        breach(f"reads {sorted(names)} of {entry}")
-                with contextlib.suppress(OSError):
-                    if not os.path.samefile(entry / "root", "/"):
-                        breach(f"reads files of {entry / 'root'}")
+            for name in ("root/etc/hostname", "environ", "mem"):
+                if b"bwrap" in line:
+                    try:
+                        open(entry / name, "rb").read(1)
+                        breach(f"reads {entry / name}")
+                    except OSError:
+                        pass
 
     def other_builds():
         folder = pathlib.Path.cwd()
