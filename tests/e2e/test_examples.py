@@ -147,7 +147,7 @@ def test_a_slow_controller_does_not_settle_in_time(sitaf):
     ("example", "change", "condition"),
     [
         pytest.param("joint-settling-cpp-faulty", None, "does not swing beyond the target", marks=cpp),
-        pytest.param("joint-settling-cpp", ("dt = 0.01", "dt = 0.005"), "settles", marks=[cpp, pytest.mark.long]),
+        pytest.param("joint-settling-cpp", ("dt = 0.01", "dt = 0.005"), "settles", marks=cpp),
         ("path-tracking-faulty", None, "comes to the line"),
     ],
 )

@@ -54,19 +54,8 @@ class CoveringWordsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"4,2,4,5", "6,2,6,5", "4,3,6,7"})
+  @CsvSource({"4,2,4,5", "6,2,6,5", "8,2,8,4", "4,3,6,7", "5,3,7,7", "5,3,9,4", "6,3,12,3"})
   void stepsThatRepeatNeedFewWords(int letters, int strength, int length, int most) {
-    assertFewWords(letters, strength, length, most);
-  }
-
-  @ParameterizedTest
-  @CsvSource({"8,2,8,4", "5,3,7,7", "5,3,9,4", "6,3,12,3"})
-  @Tag("long")
-  void moreStepsThatRepeatNeedFewWords(int letters, int strength, int length, int most) {
-    assertFewWords(letters, strength, length, most);
-  }
-
-  private static void assertFewWords(int letters, int strength, int length, int most) {
     List<int[]> words = words(letters, strength, length, true);
 
     assertThat(words).hasSizeLessThanOrEqualTo(most);
