@@ -3,6 +3,7 @@ import type { ResultCase, ResultParameter } from '@/shared/api';
 import { ScrollTable, UserText } from '@/shared/ui';
 import { differenceOf } from './difference';
 import classes from './results.module.css';
+import { shortNumber } from './shortNumber';
 
 interface CaseValuesProps {
   item: ResultCase;
@@ -66,10 +67,4 @@ export function CaseValues({ item, parameters }: CaseValuesProps) {
       )}
     </ScrollTable>
   );
-}
-
-/** Seven digits of a number; other texts unchanged. */
-function shortNumber(text: string | undefined): string {
-  if (text === undefined) return '–';
-  return /^-?\d+\.\d{7,}$/.test(text) ? String(Number(Number(text).toPrecision(7))) : text;
 }

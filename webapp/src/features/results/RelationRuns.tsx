@@ -1,6 +1,8 @@
 import { Stack, Table, Text } from '@mantine/core';
 import type { ResultCase, ResultParameter } from '@/shared/api';
 import { ScrollTable, UserText } from '@/shared/ui';
+import classes from './results.module.css';
+import { shortNumber } from './shortNumber';
 
 type Relation = ResultCase['relations'][number];
 
@@ -41,18 +43,24 @@ function BothRuns({ item, relation, parameters }: RelationRunsProps & { relation
     ...parameters.map(({ name }, index) => ({
       key: `i ${name}`,
       label: name,
-      first: item.values[index] ?? '',
-      second: relation.values[index] ?? '',
+      first: item.values[index],
+      second: relation.values[index],
     })),
     ...outputs.map((name) => ({
       key: `o ${name}`,
       label: `Actual ${name}`,
-      first: item.actual[name] ?? '–',
-      second: relation.actual[name] ?? '–',
+      first: item.actual[name],
+      second: relation.actual[name],
     })),
   ];
   return (
-    <ScrollTable label={`Runs of the relation ${relation.name}`} minWidth={320}>
+    <ScrollTable
+      label={`Runs of the relation ${relation.name}`}
+      minWidth={260}
+      className={classes.values ?? ''}
+      verticalSpacing={2}
+      horizontalSpacing={6}
+    >
       <Table.Thead>
         <Table.Tr>
           <Table.Th>Value</Table.Th>
@@ -66,11 +74,11 @@ function BothRuns({ item, relation, parameters }: RelationRunsProps & { relation
             <Table.Th scope="row">
               <UserText>{label}</UserText>
             </Table.Th>
-            <Table.Td>
-              <UserText>{first}</UserText>
+            <Table.Td title={first}>
+              <UserText>{shortNumber(first)}</UserText>
             </Table.Td>
-            <Table.Td fw={first === second ? undefined : 600}>
-              <UserText>{second}</UserText>
+            <Table.Td title={second} fw={first === second ? undefined : 600}>
+              <UserText>{shortNumber(second)}</UserText>
             </Table.Td>
           </Table.Tr>
         ))}
