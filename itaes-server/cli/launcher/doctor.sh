@@ -117,6 +117,11 @@ if command -v bwrap >/dev/null; then
   else
     feature "ROS 2 nodes" "NOT KEPT OUT OF THEIR DRIVER" "they could write results; needs Linux 5.13 or newer with Landlock (lsm=landlock,...)"
   fi
+  if perl -e 'exit(syscall(444, 0, 0, 1) < 1)' 2>/dev/null; then
+    feature "own process" "components in a domain" ""
+  else
+    feature "own process" "NOT PROTECTED" "an ordinary user's component could change its exit code; needs Perl, and Linux 5.13 or newer with Landlock"
+  fi
   if [ -n "$(own_group memory)" ]; then
     feature "memory" "control groups v1" ""
   elif [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw memory "$unified/cgroup.controllers"; then

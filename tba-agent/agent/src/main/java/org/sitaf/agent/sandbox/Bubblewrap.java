@@ -41,6 +41,9 @@ final class Bubblewrap implements Sandbox {
 
   private final boolean disablesNamespaces;
 
+  /** Why components are in no Landlock domain on this machine; empty if they are. */
+  private final String noDomains;
+
   private Bubblewrap(
       Path program, boolean required, ControlGroups groups, @Nullable SystemCallFilter filter)
       throws IOException {
@@ -53,6 +56,7 @@ final class Bubblewrap implements Sandbox {
         probe(List.of("id", "-u")).strip().equals("0") ? SandboxUsers.ofThisProcess() : null;
     this.disablesNamespaces =
         users == null && probe(List.of(program.toString(), "--help")).contains(DISABLE_NAMESPACES);
+    this.noDomains = LandlockDomain.missing(prefix -> probe(trialCommand(prefix)));
   }
 
   /**
@@ -94,7 +98,7 @@ final class Bubblewrap implements Sandbox {
                 + System.getProperty("os.arch")
                 + " that would keep their memory countable");
       }
-      probe(found.trialCommand());
+      probe(found.trialCommand(List.of()));
       return found;
     } catch (SandboxMissingException e) {
       throw e;
@@ -106,7 +110,7 @@ final class Bubblewrap implements Sandbox {
     }
   }
 
-  private List<String> trialCommand() throws IOException {
+  private List<String> trialCommand(List<String> prefix) throws IOException {
     List<String> command = LaunchScript.prefix(ControlGroup.NONE, filterPath());
     namespaces(command, false);
     MountPlan.system().appendTo(command);
@@ -115,6 +119,7 @@ final class Bubblewrap implements Sandbox {
     if (users != null) {
       command.addAll(Privileges.switchTo(users.first()));
     }
+    command.addAll(prefix);
     command.add("/bin/true");
     return command;
   }
@@ -143,6 +148,9 @@ final class Bubblewrap implements Sandbox {
     }
     if (filter == null) {
       text.append(", SYSTEM CALLS ARE NOT FILTERED on ").append(System.getProperty("os.arch"));
+    }
+    if (users == null && !noDomains.isEmpty()) {
+      text.append(", THE SANDBOX'S FIRST PROCESS IS NOT PROTECTED: ").append(noDomains);
     }
     if (!groups.sharesCpu() && (filter == null || !AutomaticGroups.sharesCpu())) {
       text.append(", PROCESSOR TIME IS NOT SHARED");
@@ -188,6 +196,9 @@ final class Bubblewrap implements Sandbox {
     command.addAll(privileges.setLimits(confinement.limits()));
     if (user >= 0) {
       command.addAll(Privileges.switchTo(user));
+    }
+    if (noDomains.isEmpty()) {
+      command.addAll(LandlockDomain.enter());
     }
     command.addAll(Privileges.withVariables(confinement.environment(), confinement.command()));
     return command;

@@ -129,6 +129,21 @@ class OrdinaryUserTest {
         .contains("ended 0");
   }
 
+  /** It is the parent of the component, has its user, and reports its exit code. */
+  @ParameterizedTest
+  @ValueSource(strings = {"environ", "maps", "mem", "root/", "fd/2"})
+  void protectsTheFirstProcess(String name) throws Exception {
+    String output =
+        confined(
+            "sh", "-c", "grep Name /proc/1/status; ls /proc/1/" + name + " && cat /proc/1/" + name);
+    assumeTrue(!output.contains("FIRST PROCESS IS NOT PROTECTED"), "skipped: no Landlock here");
+
+    assertThat(output)
+        .contains("Name:\tbwrap")
+        .contains("ermission denied")
+        .doesNotContain("ended 0");
+  }
+
   @Test
   void describesTheFeaturesOfTheHost() throws Exception {
     assertThat(confined("true"))
