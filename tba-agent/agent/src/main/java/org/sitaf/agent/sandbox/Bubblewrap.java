@@ -163,6 +163,11 @@ final class Bubblewrap implements Sandbox {
     return required;
   }
 
+  @Override
+  public boolean canIdle() {
+    return groups.sharesCpu();
+  }
+
   private boolean limitsMemory() {
     return groups.limitsMemory() || filter != null;
   }

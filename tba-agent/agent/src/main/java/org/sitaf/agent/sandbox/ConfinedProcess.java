@@ -110,6 +110,14 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
+  /**
+   * Lets a process that was started ahead use only processor time that nobody else needs, or an
+   * equal share again. Without effect unless {@link Sandbox#canIdle}.
+   */
+  public void setIdle(boolean idle) {
+    controlGroup.setIdle(idle);
+  }
+
   /** The input of a process that waits, for callers that send more than one line. */
   public OutputStream input() {
     return process.getOutputStream();

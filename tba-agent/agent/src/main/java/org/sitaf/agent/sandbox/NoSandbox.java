@@ -25,6 +25,11 @@ record NoSandbox(String reason) implements Sandbox {
   }
 
   @Override
+  public boolean canIdle() {
+    return false;
+  }
+
+  @Override
   public ConfinedProcess start(Confinement confinement) throws IOException {
     return ConfinedProcess.start(
         confinement.command(),

@@ -21,6 +21,9 @@ public sealed interface Sandbox permits NoSandbox, Bubblewrap {
   /** Whether the user requires a sandbox. */
   boolean isRequired();
 
+  /** Whether processes can leave the processors to others ({@link ConfinedProcess#setIdle}). */
+  boolean canIdle();
+
   /**
    * Starts a process. Its input is empty unless {@link Confinement#keepsInputOpen}; the caller
    * reads its output and error stream.

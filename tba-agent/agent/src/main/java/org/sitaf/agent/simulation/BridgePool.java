@@ -21,7 +21,10 @@ import org.sitaf.agent.spool.Folders;
 final class BridgePool implements Simulator {
   private static final int MAX_KNOWN_WORLDS = 100;
 
-  /** Most builds are over by then, and need the processors for themselves until then. */
+  /**
+   * Delay of a start ahead where it would take processor time from the build that just began; most
+   * builds are over by then.
+   */
   private static final long HEAD_START_MS = 1500;
 
   private final List<String> command;
@@ -51,7 +54,7 @@ final class BridgePool implements Simulator {
             return thread;
           });
 
-  private @Nullable Future<BridgeProcess> idle;
+  private @Nullable Started idle;
   private int expected;
   private boolean closed;
 
@@ -99,8 +102,7 @@ final class BridgePool implements Simulator {
   /** A bridge that no build has used; the caller closes it. */
   BridgeProcess take() throws SimulatorException, InterruptedException {
     while (true) {
-      Future<BridgeProcess> next = nextIdle();
-      BridgeProcess bridge = started(next);
+      BridgeProcess bridge = started(nextIdle());
       // A bridge that died while it was idle is replaced.
       if (bridge.isAlive()) {
         return bridge;
@@ -113,13 +115,15 @@ final class BridgePool implements Simulator {
   synchronized void startAhead() {
     if (!closed && idle == null && expected > 0) {
       expected -= expected == UNLIMITED ? 0 : 1;
-      idle = starter.submit(this::start);
+      idle = submit();
     }
   }
 
-  /** Starts the next bridge once the build that took the last one has run for a while. */
-  synchronized void startAheadLater() {
-    if (!closed) {
+  /** Starts the next bridge without taking processor time from the build that took the last one. */
+  synchronized void startNext() {
+    if (sandbox.canIdle()) {
+      startAhead();
+    } else if (!closed) {
       starter.schedule(this::startAhead, HEAD_START_MS, TimeUnit.MILLISECONDS);
     }
   }
@@ -136,13 +140,16 @@ final class BridgePool implements Simulator {
     if (closed) {
       throw new SimulatorException("the simulator has been closed");
     }
-    Future<BridgeProcess> next = idle == null ? starter.submit(this::start) : idle;
+    Started next = idle == null ? submit() : idle;
     idle = null;
-    return next;
+    next.start().need();
+    return next.bridge();
   }
 
-  private BridgeProcess start() throws SimulatorException, InterruptedException {
-    return BridgeProcess.start(command, directory, sandbox);
+  private Started submit() {
+    BridgeStart start = new BridgeStart();
+    return new Started(
+        start, starter.submit(() -> BridgeProcess.start(command, directory, sandbox, start)));
   }
 
   private static BridgeProcess started(Future<BridgeProcess> future)
@@ -173,7 +180,7 @@ final class BridgePool implements Simulator {
 
   @Override
   public void close() {
-    Future<BridgeProcess> unused;
+    Started unused;
     synchronized (this) {
       closed = true;
       unused = idle;
@@ -181,11 +188,14 @@ final class BridgePool implements Simulator {
     }
     if (unused != null) {
       boolean interrupted = Thread.interrupted();
-      closeWhenStarted(unused);
+      closeWhenStarted(unused.bridge());
       if (interrupted) {
         Thread.currentThread().interrupt();
       }
     }
     starter.shutdownNow();
   }
+
+  /** A bridge whose start has begun. */
+  private record Started(BridgeStart start, Future<BridgeProcess> bridge) {}
 }

@@ -66,8 +66,10 @@ final class BridgeProcess {
    *
    * @param directory private to the caller; the bridge's folder is created there, or in the default
    *     folder for temporary files if the path of a socket would be too long
+   * @param start the time limit begins when a build needs the bridge
    */
-  static BridgeProcess start(List<String> command, Path directory, Sandbox sandbox)
+  static BridgeProcess start(
+      List<String> command, Path directory, Sandbox sandbox, BridgeStart start)
       throws SimulatorException, InterruptedException {
     Path folder;
     ConfinedProcess process;
@@ -98,11 +100,12 @@ final class BridgeProcess {
               + e.getMessage(),
           e);
     }
+    start.setProcess(process);
     BridgeOutput output = new BridgeOutput(process.errors());
     CompletableFuture<String> firstLine = new CompletableFuture<>();
     readOutput(process, firstLine);
     try {
-      String line = firstLine.get(START_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
+      String line = firstLine(firstLine, start);
       if (line.startsWith(LISTENING)) {
         return new BridgeProcess(process, folder, output, target);
       }
@@ -114,6 +117,20 @@ final class BridgeProcess {
     } catch (InterruptedException e) {
       end(process, folder);
       throw e;
+    }
+  }
+
+  private static String firstLine(CompletableFuture<String> line, BridgeStart start)
+      throws InterruptedException, ExecutionException, TimeoutException {
+    while (true) {
+      try {
+        return line.get(START_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS);
+      } catch (TimeoutException e) {
+        // A bridge that is started ahead may have to wait for a processor.
+        if (start.neededFor().compareTo(START_TIMEOUT) >= 0) {
+          throw e;
+        }
+      }
     }
   }
 

@@ -237,7 +237,7 @@ final class OwnSimulator implements BuildSimulator {
     }
     current = bridges.take();
     bridge = current;
-    bridges.startAheadLater();
+    bridges.startNext();
     return current;
   }
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -60,6 +61,36 @@ class FairnessTest {
 
       assertThat(share).isGreaterThan(LEAST_SHARE);
     }
+  }
+
+  /** As a simulator or compiler that is started ahead; it gets its share as soon as it is used. */
+  @Test
+  void anIdleProcessLeavesTheProcessorsToOthers() throws Exception {
+    assumeTrue(
+        Bound.GROUPS.groups().sharesCpu(),
+        "skipped: processor time is not shared by control groups on this machine");
+    String program = Escapes.compiled("burn", folder).toString();
+    String processors = Integer.toString(Runtime.getRuntime().availableProcessors());
+    Sandbox sandbox = Bound.GROUPS.sandbox();
+    assertThat(sandbox.canIdle()).isTrue();
+    try (ConfinedProcess idle = start(sandbox, "idle", program, "threads", processors);
+        ConfinedProcess other = start(sandbox, "other", program, "threads", processors)) {
+      idle.setIdle(true);
+      double idleShare = shareOfFirst(idle, other);
+      idle.setIdle(false);
+
+      assertThat(idleShare).isLessThan(0.15);
+      assertThat(shareOfFirst(idle, other)).isGreaterThan(LEAST_SHARE);
+    }
+  }
+
+  private static double shareOfFirst(ConfinedProcess first, ConfinedProcess second)
+      throws Exception {
+    Thread.sleep(500);
+    long firstBefore = ticks(first);
+    long secondBefore = ticks(second);
+    Thread.sleep(2000);
+    return (double) (ticks(first) - firstBefore) / (ticks(second) - secondBefore);
   }
 
   private ConfinedProcess start(Sandbox sandbox, String name, String... command) throws Exception {

@@ -12,7 +12,10 @@ public final class ControlGroup {
   static final String MEMBERS = "cgroup.procs";
 
   /** No control group. */
-  public static final ControlGroup NONE = new ControlGroup(new GroupFiles(), List.of(), null);
+  public static final ControlGroup NONE = new ControlGroup(new GroupFiles(), List.of(), null, null);
+
+  /** The kernel runs processes of such a group only when no others need a processor. */
+  private static final String IDLE = "cpu.idle";
 
   private static final String KILL = "cgroup.kill";
   private static final String KILLED = "oom_kill";
@@ -22,6 +25,7 @@ public final class ControlGroup {
   private final GroupFiles files;
   private final List<Path> folders;
   private final @Nullable Path memoryEvents;
+  private final @Nullable Path cpu;
   private boolean exceeded;
   private boolean removed;
 
@@ -30,11 +34,14 @@ public final class ControlGroup {
    *
    * @param memoryEvents file in which the kernel counts out-of-memory kills; null if memory is not
    *     counted
+   * @param cpu folder of the group that shares processor time; null if it is not shared by groups
    */
-  ControlGroup(GroupFiles files, List<Path> folders, @Nullable Path memoryEvents) {
+  ControlGroup(
+      GroupFiles files, List<Path> folders, @Nullable Path memoryEvents, @Nullable Path cpu) {
     this.files = Objects.requireNonNull(files);
     this.folders = List.copyOf(folders);
     this.memoryEvents = memoryEvents;
+    this.cpu = cpu;
   }
 
   /** Files into which a process writes 0 to enter the group. */
@@ -53,6 +60,16 @@ public final class ControlGroup {
       exceeded |= files.number(memoryEvents, KILLED) > 0;
     }
     return exceeded;
+  }
+
+  /**
+   * Lets the group use only processor time that nobody else needs, or an equal share again. Without
+   * effect before Linux 5.15.
+   */
+  public synchronized void setIdle(boolean idle) {
+    if (cpu != null && !removed) {
+      files.tryWrite(cpu.resolve(IDLE), idle ? "1" : "0");
+    }
   }
 
   /** Kills all processes of the group, including those started meanwhile. */

@@ -13,7 +13,7 @@ final class StaleGroups {
     for (Path group : files.subgroups(parent)) {
       Optional<GroupOwner> owner = GroupOwner.ofGroup(group.getFileName().toString());
       if (owner.isPresent() && owner.get().isGone()) {
-        new ControlGroup(files, List.of(group), null).remove();
+        new ControlGroup(files, List.of(group), null, null).remove();
       }
     }
   }

@@ -58,6 +58,7 @@ final class VersionOne implements ControlGroups {
     String name = owner.nameOf(next.getAndIncrement());
     List<Path> created = new ArrayList<>();
     @Nullable Path events = null;
+    @Nullable Path cpu = null;
     try {
       for (Map.Entry<String, Path> parent : parents.entrySet()) {
         Path folder = parent.getValue().resolve(name);
@@ -70,16 +71,15 @@ final class VersionOne implements ControlGroups {
           }
           case "pids" ->
               files.write(folder.resolve("pids.max"), Integer.toString(limits.processes()));
-          default -> {
-            // cpu: all groups have the same default weight.
-          }
+          // All groups have the same default weight.
+          default -> cpu = folder;
         }
       }
     } catch (IOException e) {
-      new ControlGroup(files, created, null).remove();
+      new ControlGroup(files, created, null, null).remove();
       throw e;
     }
-    return new ControlGroup(files, created, events);
+    return new ControlGroup(files, created, events, cpu);
   }
 
   private void limitMemory(Path folder, long bytes) throws IOException {

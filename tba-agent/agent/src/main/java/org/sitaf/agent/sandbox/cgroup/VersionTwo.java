@@ -133,9 +133,9 @@ final class VersionTwo implements ControlGroups {
       }
       // cpu: all groups have the same default weight.
     } catch (IOException e) {
-      new ControlGroup(files, List.of(folder), null).remove();
+      new ControlGroup(files, List.of(folder), null, null).remove();
       throw e;
     }
-    return new ControlGroup(files, List.of(folder), events);
+    return new ControlGroup(files, List.of(folder), events, sharesCpu() ? folder : null);
   }
 }

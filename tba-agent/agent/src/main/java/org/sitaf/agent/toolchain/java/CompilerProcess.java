@@ -66,6 +66,11 @@ final class CompilerProcess implements AutoCloseable {
     }
   }
 
+  /** Lets it use only processor time that nobody else needs, or an equal share again. */
+  void setIdle(boolean idle) {
+    process.setIdle(idle);
+  }
+
   /** Whether it can take a request in this sandbox. */
   boolean isReadyIn(Sandbox wanted) throws InterruptedException {
     // Another agent with the same cache may have removed the folder as stale.

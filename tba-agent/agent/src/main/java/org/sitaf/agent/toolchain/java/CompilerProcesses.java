@@ -41,7 +41,9 @@ final class CompilerProcesses {
   synchronized void startAhead(Sandbox sandbox) throws IOException, InterruptedException {
     if (!stopped && (ahead == null || !ahead.isReadyIn(sandbox))) {
       endAhead();
-      ahead = start(sandbox);
+      CompilerProcess started = start(sandbox);
+      started.setIdle(true);
+      ahead = started;
     }
   }
 
@@ -66,6 +68,7 @@ final class CompilerProcesses {
       taken = start(sandbox);
     }
     ahead = null;
+    taken.setIdle(false);
     return taken;
   }
 

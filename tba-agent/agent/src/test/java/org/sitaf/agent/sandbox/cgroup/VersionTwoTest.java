@@ -115,7 +115,7 @@ class VersionTwoTest {
         "skipped: no writable version 2 hierarchy");
     Path created = hierarchy.resolve(GroupOwner.thisProcess().nameOf(999_999));
     Files.createDirectory(created);
-    ControlGroup group = new ControlGroup(new GroupFiles(), List.of(created), null);
+    ControlGroup group = new ControlGroup(new GroupFiles(), List.of(created), null, null);
     Process process =
         new ProcessBuilder(
                 "/bin/sh",
