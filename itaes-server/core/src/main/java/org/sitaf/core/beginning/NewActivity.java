@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -109,6 +110,17 @@ public record NewActivity(
         if (models.size() < MAX_MODELS) {
           models.put(model, ModelProposal.of(provided, method, model));
         }
+      }
+    }
+    for (InterfaceDescription provided : interfaces) {
+      String model = "Sequences";
+      for (int i = 2; names.contains(model.toLowerCase(Locale.ROOT)); i++) {
+        model = "Sequences_" + i;
+      }
+      Optional<String> text = SequenceProposal.of(provided, model);
+      if (text.isPresent() && models.size() < MAX_MODELS) {
+        names.add(model.toLowerCase(Locale.ROOT));
+        models.put(model, text.get());
       }
     }
     return models;

@@ -25,6 +25,7 @@ import org.sitaf.agent.v1.SubmitResultResponse;
  * when the server has confirmed the result or reports that the attempt has ended.
  */
 final class ResultUpload implements AutoCloseable {
+  private static final int MAX_SHOWN = 300;
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Duration FLUSH = Duration.ofSeconds(3);
 
@@ -262,9 +263,15 @@ final class ResultUpload implements AutoCloseable {
 
   private static String outcomeOf(SubmitResultRequest sent, SubmitResultResponse answer) {
     if (sent.hasFailure()) {
-      return "the failure was stored";
+      return "the failure was stored: " + shown(sent.getFailure().getMessage());
     }
     return answer.getAccepted() ? "accepted, SHA-256 " + sent.getSha256() : "was superseded";
+  }
+
+  /** One line of a message that may contain what a component wrote. */
+  private static String shown(String message) {
+    String line = message.replaceAll("\\p{Cntrl}+", " ").strip();
+    return line.substring(0, Math.min(MAX_SHOWN, line.length()));
   }
 
   /** An entry may be deleted only if the server confirms its size and digest. */

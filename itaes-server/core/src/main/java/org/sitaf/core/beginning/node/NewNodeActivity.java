@@ -24,6 +24,7 @@ import org.sitaf.core.activity.ros.NodeSources;
 import org.sitaf.core.activity.ros.NodeSources.Endpoint;
 import org.sitaf.core.activity.ros.NodeSources.Kind;
 import org.sitaf.core.activity.ros.RosNode;
+import org.sitaf.core.beginning.LifecycleProposal;
 import org.sitaf.core.beginning.ModelProposal;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
@@ -57,6 +58,9 @@ public record NewNodeActivity(
   /** Topics of every node, and those that a world serves. */
   private static final Set<String> PASSED_OVER =
       Set.of("/rosout", "/parameter_events", "/clock", "/tf", "/tf_static");
+
+  /** Name of the model over transitions. */
+  private static final String LIFE_CYCLE = "LifeCycle";
 
   private static final Set<String> TAKEN = Set.of(RosNode.PUBLISH, "parameter", RosNode.INTERFACE);
 
@@ -162,9 +166,13 @@ public record NewNodeActivity(
     text.append(topics.isEmpty() ? "topics: {}\n" : "topics:\n");
     topics.forEach(
         (topic, ends) -> text.append("  ").append(topic).append(": ").append(ends).append('\n'));
-    text.append("provided: ").append(services(sources, Kind.SERVER, files, notes)).append('\n');
+    List<String> provided = services(sources, Kind.SERVER, files, notes);
+    provided.addAll(LifecycleServices.of(texts, installed));
+    text.append("provided: ").append(shown(provided)).append('\n');
     text.append("# Services and actions that the node calls; the test stub answers them.\n");
-    text.append("required: ").append(services(sources, Kind.CLIENT, files, notes)).append('\n');
+    text.append("required: ")
+        .append(shown(services(sources, Kind.CLIENT, files, notes)))
+        .append('\n');
     text.append("models: %s\n");
     text.append("limits: {case_wall_s: 30}\n");
     return text.toString();
@@ -240,7 +248,8 @@ public record NewNodeActivity(
     return name;
   }
 
-  private String services(NodeSources sources, Kind kind, FileTree files, List<String> notes) {
+  private List<String> services(
+      NodeSources sources, Kind kind, FileTree files, List<String> notes) {
     List<String> entries = new ArrayList<>();
     for (Endpoint endpoint : sources.endpoints()) {
       if (endpoint.kind() != kind) {
@@ -263,6 +272,10 @@ public record NewNodeActivity(
         entries.add("{type: " + candidates.get(0) + ", name: " + endpoint.name() + "}");
       }
     }
+    return entries;
+  }
+
+  private static String shown(List<String> entries) {
     return entries.isEmpty()
         ? "[]"
         : entries.stream().map(e -> "\n  - " + e).reduce("", String::concat);
@@ -271,8 +284,17 @@ public record NewNodeActivity(
   private static Map<String, String> models(Activity activity) {
     Map<String, String> models = new TreeMap<>();
     boolean hasTopics = !Objects.requireNonNull(activity.profile().ros()).topics().isEmpty();
+    List<InterfaceDescription> lifecycle =
+        activity.provided().stream().filter(NewNodeActivity::isOfLifecycle).toList();
+    if (lifecycle.stream().mapToInt(provided -> provided.methods().size()).sum()
+        == LifecycleServices.METHODS.size()) {
+      models.put(LIFE_CYCLE, LifecycleProposal.of(LIFE_CYCLE, inputTopics(activity)));
+    }
     for (InterfaceDescription provided : activity.provided()) {
       boolean isTopics = provided.name().equals(RosNode.INTERFACE);
+      if (lifecycle.contains(provided)) {
+        continue;
+      }
       if (isTopics && !hasTopics && activity.provided().size() > 1) {
         continue;
       }
@@ -285,6 +307,19 @@ public record NewNodeActivity(
       }
     }
     return models;
+  }
+
+  private static boolean isOfLifecycle(InterfaceDescription provided) {
+    return provided.name().equals(LifecycleServices.PACKAGE)
+        && provided.methods().stream().allMatch(m -> LifecycleServices.METHODS.contains(m.name()));
+  }
+
+  private static List<Method> inputTopics(Activity activity) {
+    return activity.provided().stream()
+        .filter(provided -> provided.name().equals(RosNode.INTERFACE))
+        .flatMap(provided -> provided.methods().stream())
+        .filter(method -> !method.name().equals(RosNode.PUBLISH))
+        .toList();
   }
 
   /** Notes about topics whose names are not literals. */

@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceCall;
 
 class NewNodeActivityTest {
   private static final String MANIFEST = "<package><name>follower</name></package>";
@@ -20,6 +23,11 @@ class NewNodeActivityTest {
           Map.of(
               "std_msgs/msg/Float64.msg", "float64 data\n",
               "std_msgs/msg/Float64MultiArray.msg", "float64[] data\n",
+              "lifecycle_msgs/msg/State.msg", "uint8 id\nstring label\n",
+              "lifecycle_msgs/msg/Transition.msg", "uint8 id\nstring label\n",
+              "lifecycle_msgs/srv/ChangeState.srv",
+                  "lifecycle_msgs/Transition transition\n---\nbool success\n",
+              "lifecycle_msgs/srv/GetState.srv", "---\nlifecycle_msgs/State current_state\n",
               "std_srvs/srv/SetBool.srv", "bool data\n---\nbool success\nstring message\n",
               "demo/action/Turn.action", "float64 angle\n---\nbool done\n---\nfloat64 left\n"));
   private static final String NODE =
@@ -200,6 +208,51 @@ class NewNodeActivityTest {
         .doesNotContain("src/other_msgs/msg/Number.msg");
     assertThat(files.text("activity.yaml").orElseThrow())
         .contains("/robot/cmd: {with: [input.robot_cmd, output.robot_cmd_output], type: ");
+  }
+
+  @Test
+  void aLifecycleNodeGetsAModelOfItsTransitions() {
+    String python =
+        """
+        from rclpy.lifecycle import LifecycleNode
+        from std_msgs.msg import Float64
+        class Heater(LifecycleNode):
+            def __init__(self):
+                super().__init__("heater")
+                self.create_subscription(Float64, 'target', print, 10)
+        """;
+    String cpp =
+        """
+        #include <rclcpp/rclcpp.hpp>
+        #include <std_msgs/msg/float64.hpp>
+        class Heater : public rclcpp_lifecycle::LifecycleNode {
+          Heater() : LifecycleNode("heater") {
+            sub_ = create_subscription<std_msgs::msg::Float64>("target", 10, f);
+          }
+        };
+        RCLCPP_COMPONENTS_REGISTER_NODE(Heater)
+        """;
+    for (FileTree node :
+        List.of(
+            tree(Map.of("package.xml", MANIFEST, "follower/node.py", "import rclpy\n" + python)),
+            tree(Map.of("package.xml", MANIFEST, "src/heater.cpp", cpp)))) {
+      FileTree files = propose(node, null).files();
+
+      assertThat(files.text("activity.yaml").orElseThrow())
+          .contains(
+              "  - {type: lifecycle_msgs/srv/ChangeState.srv, name: /heater/change_state}\n"
+                  + "  - {type: lifecycle_msgs/srv/GetState.srv, name: /heater/get_state}\n");
+      Activity activity = Activity.read(files, INSTALLED);
+      assertThat(activity.warnings()).isEmpty();
+      assertThat(activity.models())
+          .extracting(TestModel::name)
+          .containsExactlyInAnyOrder("LifeCycle", "Topics");
+      TestModel model =
+          activity.models().stream().filter(m -> m.sequence() != null).findFirst().orElseThrow();
+      assertThat(Objects.requireNonNull(model.sequence()).calls())
+          .extracting(SequenceCall::name)
+          .containsExactly("Configure", "Activate", "Deactivate", "Cleanup", "State", "target");
+    }
   }
 
   @Test
