@@ -93,7 +93,10 @@ public final class CoveringWords {
     words = shortened(withoutSuperfluous(words, required), required);
     if (inWord() <= MAX_IN_WORD) {
       boolean all = free && repeat && required.cardinality() == space.size();
-      words = compact(search.reduce(words, length, required, this::isPossible, all));
+      words =
+          all
+              ? search.reduceFree(words, length)
+              : compact(search.reduce(words, length, required, this::isPossible));
       // The search may end with a word that the others do not need.
       words = withoutSuperfluous(words, required);
     }

@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.sitaf.core.combine.Effort;
 import org.sitaf.core.combine.Progress;
-import org.sitaf.core.combine.SeededRandom;
 import org.sitaf.core.combine.search.Budget;
 
 /** Searches for few words that contain every required tuple as a subsequence. */
@@ -20,15 +19,18 @@ public final class SequenceCovering {
   private static final int TUPLES = 16;
 
   /** How often the operations are taken at most, without guards and with them. */
-  private static final int MOST_FREE = 20;
+  private static final int MOST_FREE = 12;
 
   private static final int MOST_GUARDED = 3;
 
+  /** Operations of one search for symmetric words as a share of all. */
+  private static final double SYMMETRIC = 0.01;
+
+  /** Operations of one search for words without symmetry as a share of all. */
+  private static final double FREE = 0.35;
+
   /** Number of missing tuples, besides a fiftieth of all, after which no attempt is made. */
   private static final int HOPELESS = 3;
-
-  /** Maximum number of words without an image in a search for symmetric words. */
-  private static final int MOST_SINGLE = 3;
 
   /** Operations of one attempt as a share of all. */
   private static final double ATTEMPT = 0.06;
@@ -94,42 +96,72 @@ public final class SequenceCovering {
    *
    * @param words that cover all required tuples, of at most the length
    * @param executable which words are possible; negative letters are empty places
-   * @param symmetric whether every word over the letters is possible and every tuple required
    */
   public List<int[]> reduce(
-      List<int[]> words,
-      int length,
-      BitSet required,
-      Predicate<int[]> executable,
-      boolean symmetric) {
-    int factor = Math.min(required.cardinality() / TUPLES, symmetric ? MOST_FREE : MOST_GUARDED);
-    Budget budget = new Budget(operations * Math.max(1, factor));
+      List<int[]> words, int length, BitSet required, Predicate<int[]> executable) {
+    Budget budget = budget(required.cardinality(), MOST_GUARDED);
     List<int[]> best = words;
     int least = least(required.cardinality(), length);
     double share = ATTEMPT / 4;
     for (long attempt = 0; best.size() > least && !budget.isExhausted(); attempt++) {
-      boolean smaller = false;
-      int missing = Integer.MAX_VALUE;
-      for (Symmetry symmetry : symmetries(symmetric, best.size() - 1)) {
-        List<int[]> start = start(best, length, symmetric, seed + attempt);
-        WordSearch search =
-            new WordSearch(space, required::get, start, symmetry, executable, seed + attempt);
-        Optional<List<int[]>> found = search.search(budget.part(share));
-        missing = Math.min(missing, search.missing());
-        if (found.isPresent()) {
-          best = found.get();
-          smaller = true;
-          progress.report(best.size(), budget.share());
-          break;
-        }
-      }
-      if (missing > HOPELESS + required.cardinality() / 50) {
+      WordSearch search =
+          new WordSearch(
+              space, required::get, allButLast(best, length), executable, seed + attempt);
+      Optional<List<int[]>> found = search.search(budget.part(share));
+      if (found.isPresent()) {
+        best = found.get();
+        progress.report(best.size(), budget.share());
+      } else if (search.missing() > hopeless(required.cardinality())) {
         break;
+      } else {
+        // Another attempt for the same number of words is longer.
+        share *= 2;
       }
-      // Another attempt for the same number of words is longer.
-      share *= smaller ? 1 : 2;
     }
     return best;
+  }
+
+  /**
+   * Reduces the number of words where every word over the letters is possible and every tuple is
+   * required. Symmetric words are found faster than others, but do not exist for each number.
+   */
+  public List<int[]> reduceFree(List<int[]> words, int length) {
+    if (space.letters() < 2) {
+      return words;
+    }
+    Budget budget = budget(space.size(), MOST_FREE);
+    List<int[]> best = words;
+    int least = least(space.size(), length);
+    for (int count = words.size() - 1; count >= Math.max(least, words.size() / 2); count--) {
+      for (Symmetry symmetry : symmetries(count)) {
+        FreeWordSearch search = new FreeWordSearch(space, length, count, symmetry, seed);
+        Optional<List<int[]>> found =
+            best.size() > count ? search.search(budget.part(SYMMETRIC)) : Optional.empty();
+        best = found.orElse(best);
+      }
+    }
+    progress.report(best.size(), budget.share());
+    for (long attempt = 0; best.size() > least && !budget.isExhausted(); attempt++) {
+      FreeWordSearch search =
+          new FreeWordSearch(space, length, best.size() - 1, Symmetry.NONE, seed + attempt);
+      Optional<List<int[]>> found = search.search(budget.part(FREE));
+      if (found.isPresent()) {
+        best = found.get();
+        progress.report(best.size(), budget.share());
+      } else if (search.missing() > hopeless(space.size())) {
+        break;
+      }
+    }
+    return best;
+  }
+
+  private Budget budget(int required, int mostTimes) {
+    return new Budget(operations * Math.max(1, Math.min(required / TUPLES, mostTimes)));
+  }
+
+  /** Number of missing tuples after which no further attempt is made. */
+  private static int hopeless(int required) {
+    return HOPELESS + required / 50;
   }
 
   /** A lower bound of the number of words: each holds a tuple for each choice of places. */
@@ -141,34 +173,24 @@ public final class SequenceCovering {
     return (int) Math.max(1, Math.ceil(tuples / inWord));
   }
 
-  private List<Symmetry> symmetries(boolean symmetric, int words) {
-    int letters = space.letters();
-    List<Symmetry> all = new ArrayList<>(List.of(Symmetry.NONE));
-    for (int cycle : symmetric ? new int[] {2, letters - 1, letters} : new int[0]) {
-      Symmetry symmetry = Symmetry.cyclic(letters, Math.max(1, cycle));
-      if (symmetry.order() > 1
-          && symmetry.order() <= words
-          && words % symmetry.order() <= MOST_SINGLE) {
-        all.add(symmetry);
+  /** The cyclic symmetries whose order divides a number of words. */
+  private List<Symmetry> symmetries(int words) {
+    List<Symmetry> all = new ArrayList<>();
+    for (int cycle = 2; cycle <= Math.min(space.letters(), words); cycle++) {
+      if (words % cycle == 0) {
+        all.add(Symmetry.cyclic(space.letters(), cycle));
       }
     }
     return all;
   }
 
-  /** All words but the last one, or random ones, padded to the length. */
-  private List<int[]> start(List<int[]> words, int length, boolean isRandom, long seed) {
-    SeededRandom random = new SeededRandom(seed);
+  /** All words but the last one, padded to the length. */
+  private static List<int[]> allButLast(List<int[]> words, int length) {
     List<int[]> start = new ArrayList<>();
     for (int w = 0; w < words.size() - 1; w++) {
       int[] word = new int[length];
-      if (isRandom) {
-        for (int p = 0; p < length; p++) {
-          word[p] = random.nextInt(space.letters());
-        }
-      } else {
-        Arrays.fill(word, WordSearch.EMPTY);
-        System.arraycopy(words.get(w), 0, word, 0, words.get(w).length);
-      }
+      Arrays.fill(word, WordSearch.EMPTY);
+      System.arraycopy(words.get(w), 0, word, 0, words.get(w).length);
       start.add(word);
     }
     return start;

@@ -1,6 +1,5 @@
 package org.sitaf.core.sequence.array;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -34,51 +33,37 @@ final class WordSearch {
   private final SeededRandom random;
   private final int[][] words;
   private final long[][] tuplesOf;
-  private final Symmetry symmetry;
   private final Predicate<int[]> executable;
   private final boolean mayBeEmpty;
-
-  /** The first words, of which all images are used. */
-  private final int symmetricWords;
 
   /**
    * @param required numbers of the tuples
    * @param words where the search starts, all of one length
-   * @param symmetry between these words, as far as their number allows
    * @param executable which words are possible
    */
   WordSearch(
       TupleSpace space,
       IntPredicate required,
       List<int[]> words,
-      Symmetry symmetry,
       Predicate<int[]> executable,
       long seed) {
     this.letters = space.letters();
     this.strength = space.strength();
-    this.symmetry = symmetry;
     this.bits = new TupleBits(space);
     this.missing = new Missing(space, bits, required);
     this.random = new SeededRandom(seed);
-    this.symmetricWords = words.size() / symmetry.order();
-    int units = symmetricWords + words.size() % symmetry.order();
-    this.words = words.stream().limit(units).map(int[]::clone).toArray(int[][]::new);
+    this.words = words.stream().map(int[]::clone).toArray(int[][]::new);
     this.mayBeEmpty = words.stream().flatMapToInt(Arrays::stream).anyMatch(l -> l == EMPTY);
-    this.tuplesOf = new long[units][];
-    for (int w = 0; w < units; w++) {
-      tuplesOf[w] = tuples(w, this.words[w]);
+    this.tuplesOf = new long[words.size()][];
+    for (int w = 0; w < words.size(); w++) {
+      tuplesOf[w] = tuples(this.words[w]);
     }
     this.executable = executable;
   }
 
-  /** What is used of a word: also its images, if it is one of the first words. */
-  private List<int[]> used(int w, int[] word) {
-    return w < symmetricWords ? symmetry.orbit(word) : List.of(word);
-  }
-
-  private long[] tuples(int w, int[] word) {
+  private long[] tuples(int[] word) {
     long[] set = bits.empty();
-    used(w, word).forEach(image -> bits.add(image, set));
+    bits.add(word, set);
     return set;
   }
 
@@ -95,11 +80,7 @@ final class WordSearch {
     if (missing.size() > 0) {
       return Optional.empty();
     }
-    List<int[]> all = new ArrayList<>();
-    for (int w = 0; w < words.length; w++) {
-      all.addAll(used(w, words[w]));
-    }
-    return Optional.of(all);
+    return Optional.of(List.of(words));
   }
 
   /** The number of tuples that no word contains at the end of the search. */
@@ -111,12 +92,11 @@ final class WordSearch {
   private void improve(int w, double temperature, Budget budget) {
     missing.remove(tuplesOf[w]);
     int gain = TupleBits.common(tuplesOf[w], missing.bits());
-    long operations =
-        bits.operations(words[w].length) * (w < symmetricWords ? symmetry.order() : 1);
+    long operations = bits.operations(words[w].length);
     for (int i = 0; i < CHANGES && gain < missing.size(); i++) {
       budget.spend(operations);
       int[] changed = changed(words[w], tuplesOf[w], missing.size() - gain);
-      long[] tuples = tuples(w, changed);
+      long[] tuples = tuples(changed);
       int then = TupleBits.common(tuples, missing.bits());
       boolean accepted =
           then >= gain || random.nextDouble() < Math.exp((then - gain) / temperature);
