@@ -53,10 +53,13 @@ final class CallVerdicts {
    *
    * @param completed whether it returned, or threw what it may throw
    * @param accepted whether it threw what only post-conditions allow
-   * @param inputs of a completed call, for CEL
+   * @param inputs of a completed call, for CEL; most models do not need them
    */
   record Judged(
-      CaseResult result, boolean completed, boolean accepted, Map<String, Object> inputs) {}
+      CaseResult result,
+      boolean completed,
+      boolean accepted,
+      Supplier<Map<String, Object>> inputs) {}
 
   /**
    * Compares the recorded values with the expected ones, then evaluates the post-conditions.
@@ -73,7 +76,8 @@ final class CallVerdicts {
     boolean completed =
         record.outcome() == CaseRecord.Outcome.RETURNED
             || threw && (result.verdict() == Verdict.PASS || accepted.isPresent());
-    Map<String, Object> inputs = completed ? inputs(testCase, record.thrown()).map() : Map.of();
+    Supplier<Map<String, Object>> inputs =
+        () -> completed ? inputs(testCase, record.thrown()).map() : Map.of();
     CaseResult judged = result;
     if (accepted.isPresent()) {
       judged = accepted.get();

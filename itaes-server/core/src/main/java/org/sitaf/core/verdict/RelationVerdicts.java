@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiPredicate;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sitaf.core.description.DataType;
@@ -60,17 +61,18 @@ final class RelationVerdicts {
    * The result of a case with its relations.
    *
    * @param completed whether the first run returned or threw an expected exception
-   * @param inputs values of the inputs for CEL
+   * @param surroundings gives the values of the inputs for CEL, if they are needed
    */
   CaseResult judge(
       TestCase testCase,
       CaseRecord record,
       CaseResult result,
       boolean completed,
-      Map<String, Object> inputs) {
+      Supplier<Map<String, Object>> surroundings) {
     if (relations.isEmpty() || !testCase.valid() || record.outcome() == Outcome.NOT_CALLED) {
       return result;
     }
+    Map<String, Object> inputs = surroundings.get();
     CaseResult judged = result;
     List<RelationResult> results = new ArrayList<>();
     for (int i = 0; i < relations.names().size(); i++) {

@@ -88,7 +88,7 @@ final class SequenceVerdicts {
               variables.put(Variables.CALLS, (Object) whole.calls(result.calls()));
               return variables.map();
             });
-    return trajectories.judge(judged, whole.inputs(testCase, "").map(), signals);
+    return trajectories.judge(judged, () -> whole.inputs(testCase, "").map(), signals);
   }
 
   private List<StepResult> steps(TestCase testCase, CaseRecord record) {

@@ -3,6 +3,7 @@ package org.sitaf.core.verdict;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.trajectory.TrajectoryConditions;
@@ -20,12 +21,14 @@ final class TrajectoryVerdicts {
   /**
    * The result of a case with its trajectory conditions.
    *
-   * @param inputs values of the inputs for CEL
+   * @param surroundings gives the values of the inputs for CEL, if they are needed
    */
-  CaseResult judge(CaseResult result, Map<String, Object> inputs, TraceSource source) {
+  CaseResult judge(
+      CaseResult result, Supplier<Map<String, Object>> surroundings, TraceSource source) {
     if (conditions.isEmpty()) {
       return result;
     }
+    Map<String, Object> inputs = surroundings.get();
     Trace trace;
     try {
       trace = source.trace();
