@@ -46,7 +46,7 @@ final class SequenceProposal {
         : Optional.of(new SequenceProposal(provided, roles).write(name));
   }
 
-  /** The methods that change states first, then others that can be told apart by their names. */
+  /** The methods that change states first, then others that are not overloaded. */
   private List<Method> calls() {
     List<Method> chosen = new ArrayList<>(roles.lifeCycle().values());
     roles.switches().forEach(s -> chosen.addAll(List.of(s.on(), s.off())));

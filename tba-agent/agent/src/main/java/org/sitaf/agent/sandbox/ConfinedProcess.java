@@ -68,7 +68,7 @@ public final class ConfinedProcess implements AutoCloseable {
     ProcessGroup group = new ProcessGroup(ProcessGroup.markOf(confinement.working()));
     environment.put(ProcessGroup.VARIABLE, group.mark());
     DiskWatch disk = DiskWatch.of(confinement);
-    Process process = builder.start();
+    Process process = ProcessStarter.start(builder);
     if (!confinement.keepsInputOpen()) {
       process.getOutputStream().close();
     }

@@ -42,10 +42,7 @@ final class BridgePool implements Simulator {
         }
       };
 
-  /**
-   * Starts all bridges: a confined process ends with the thread that started it, and the thread of
-   * a build ends before a bridge that was started ahead for the next one.
-   */
+  /** Starts the bridges and waits until they accept calls. */
   private final ScheduledExecutorService starter =
       Executors.newSingleThreadScheduledExecutor(
           task -> {

@@ -6,9 +6,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -27,19 +24,6 @@ final class CompilerProcesses {
   private final CompilerSetup setup;
   private final Path directory;
   private final AtomicLong count = new AtomicLong();
-
-  /**
-   * Starts all compilers: a confined process ends with the thread that started it, and the thread
-   * of a build ends before a compiler that was started ahead for the next one.
-   */
-  private final ExecutorService starter =
-      Executors.newSingleThreadExecutor(
-          task -> {
-            Thread thread = new Thread(task, "sitaf-javac-starter");
-            thread.setDaemon(true);
-            return thread;
-          });
-
   private @Nullable CompilerProcess ahead;
   private boolean stopped;
 
@@ -88,31 +72,7 @@ final class CompilerProcesses {
     return taken;
   }
 
-  private CompilerProcess start(Sandbox sandbox) throws IOException, InterruptedException {
-    Future<CompilerProcess> started = starter.submit(() -> startHere(sandbox));
-    try {
-      return started.get();
-    } catch (InterruptedException e) {
-      // It starts within milliseconds; nobody else could end it.
-      endWhenStarted(started);
-      throw e;
-    } catch (ExecutionException e) {
-      if (e.getCause() instanceof IOException failure) {
-        throw failure;
-      }
-      throw new IOException("the Java compiler cannot be started: " + e.getCause(), e);
-    }
-  }
-
-  private static void endWhenStarted(Future<CompilerProcess> started) {
-    try {
-      started.get().close();
-    } catch (ExecutionException | InterruptedException e) {
-      // The start failed, or the thread was interrupted again; it ends with the agent.
-    }
-  }
-
-  private CompilerProcess startHere(Sandbox sandbox) throws IOException {
+  private CompilerProcess start(Sandbox sandbox) throws IOException {
     String own = ProcessHandle.current().pid() + "-";
     if (count.get() == 0) {
       deleteStale(own);
