@@ -9,6 +9,8 @@ import java.util.stream.Collectors;
 import org.sitaf.core.beginning.ModelProposal.Xml;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.DataType.Member;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.Method;
 import org.sitaf.core.description.ScalarType;
 
 /** Proposes the test elements of the parameters of one method, with a specification for each. */
@@ -34,6 +36,15 @@ final class ElementProposals {
   ElementProposals(Map<String, Object> constants, boolean isNode) {
     this.isNode = isNode;
     this.constants = ModelProposal.shortNames(constants);
+  }
+
+  /** The elements of all parameters that a method reads. */
+  static ElementProposals ofInputs(Method method, Map<String, Object> constants, boolean isNode) {
+    ElementProposals inputs = new ElementProposals(constants, isNode);
+    method.parameters().stream()
+        .filter(p -> p.direction() != Direction.OUT)
+        .forEach(p -> inputs.add(p.name(), p.type()));
+    return inputs;
   }
 
   List<String> lines() {

@@ -3,7 +3,6 @@ package org.sitaf.core.beginning;
 import java.util.List;
 import java.util.Map;
 import org.sitaf.core.beginning.ModelProposal.Xml;
-import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.Method;
 
 /**
@@ -23,7 +22,7 @@ public final class LifecycleProposal {
           new Transition("Deactivate", 4, 3, 2),
           new Transition("Cleanup", 2, 2, 1));
 
-  private final StringBuilder text = new StringBuilder();
+  private final ModelText text = new ModelText();
 
   private LifecycleProposal() {}
 
@@ -87,19 +86,11 @@ public final class LifecycleProposal {
 
   private void topic(Method method) {
     line(4, "<call name=" + Xml.attribute(method.name()) + " run_for=\"0.1\">");
-    ElementProposals inputs = new ElementProposals(Map.of(), true);
-    method.parameters().stream()
-        .filter(p -> p.direction() != Direction.OUT)
-        .forEach(p -> inputs.add(p.name(), p.type()));
-    if (!inputs.lines().isEmpty()) {
-      line(6, "<input_spec_list>");
-      inputs.lines().forEach(l -> line(8, l));
-      line(6, "</input_spec_list>");
-    }
+    text.inputs(6, method, Map.of(), true);
     line(4, "</call>");
   }
 
   private void line(int indent, String content) {
-    text.append(" ".repeat(indent)).append(content).append('\n');
+    text.line(indent, content);
   }
 }

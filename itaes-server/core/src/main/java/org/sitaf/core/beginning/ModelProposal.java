@@ -14,7 +14,7 @@ public final class ModelProposal {
   /** More cases than this tell little before the ranges are checked. */
   private static final int MAX_CASES = 100;
 
-  private final StringBuilder text = new StringBuilder();
+  private final ModelText text = new ModelText();
   private final InterfaceDescription provided;
   private final Method method;
   private final boolean isNode;
@@ -48,10 +48,7 @@ public final class ModelProposal {
             + (overloaded ? " signature=" + Xml.attribute(method.signature()) : "")
             + (isNode ? " settle=\"0.5\" run_for=\"1.0\"" : "")
             + "/>");
-    ElementProposals inputs = new ElementProposals(provided.constants(), isNode);
-    method.parameters().stream()
-        .filter(p -> p.direction() != Direction.OUT)
-        .forEach(p -> inputs.add(p.name(), p.type()));
+    ElementProposals inputs = ElementProposals.ofInputs(method, provided.constants(), isNode);
     if (inputs.lines().isEmpty()) {
       line(2, "<input_spec_list/>");
     } else {
@@ -103,14 +100,11 @@ public final class ModelProposal {
   }
 
   private void output(String name, String kind, DataType type) {
-    line(4, ElementProposals.head(type));
-    line(6, "<name>" + Xml.text(name) + "</name>");
-    line(6, "<type>" + kind + "</type>");
-    line(4, "</test_element>");
+    text.output(4, name, kind, ElementProposals.head(type));
   }
 
   private void line(int indent, String content) {
-    text.append(" ".repeat(indent)).append(content).append('\n');
+    text.line(indent, content);
   }
 
   /** Escapes text for XML. */

@@ -25,7 +25,7 @@ final class SequenceProposal {
   private static final int LONG = 8;
   private static final String LIFE_CYCLE = "life_cycle";
 
-  private final StringBuilder text = new StringBuilder();
+  private final ModelText text = new ModelText();
   private final InterfaceDescription provided;
   private final MethodRoles roles;
   private final List<Method> calls;
@@ -94,7 +94,7 @@ final class SequenceProposal {
   private void call(Method method) {
     line(4, "<call name=" + Xml.attribute(method.name()) + ">");
     guard(method);
-    inputs(method);
+    text.inputs(6, method, provided.constants(), false);
     outputs(method);
     line(4, "</call>");
   }
@@ -150,18 +150,6 @@ final class SequenceProposal {
     line(6, "<update state=" + Xml.attribute(state) + ">" + value + "</update>");
   }
 
-  private void inputs(Method method) {
-    ElementProposals inputs = new ElementProposals(provided.constants(), false);
-    method.parameters().stream()
-        .filter(p -> p.direction() != Direction.OUT)
-        .forEach(p -> inputs.add(p.name(), p.type()));
-    if (!inputs.lines().isEmpty()) {
-      line(6, "<input_spec_list>");
-      inputs.lines().forEach(l -> line(8, l));
-      line(6, "</input_spec_list>");
-    }
-  }
-
   private void outputs(Method method) {
     List<Parameter> out =
         method.parameters().stream().filter(p -> p.direction() != Direction.IN).toList();
@@ -178,17 +166,10 @@ final class SequenceProposal {
                     "<!-- Add to the output: <expected>" + state(s.state()) + "</expected> -->"));
     line(6, "<output_spec_list>");
     if (!method.returnType().isVoid()) {
-      output("return", "RETURN", ElementProposals.head(method.returnType()));
+      text.output(8, "return", "RETURN", ElementProposals.head(method.returnType()));
     }
-    out.forEach(p -> output(p.name(), "OUT", ElementProposals.head(p.type())));
+    out.forEach(p -> text.output(8, p.name(), "OUT", ElementProposals.head(p.type())));
     line(6, "</output_spec_list>");
-  }
-
-  private void output(String name, String kind, String head) {
-    line(8, head);
-    line(10, "<name>" + Xml.text(name) + "</name>");
-    line(10, "<type>" + kind + "</type>");
-    line(8, "</test_element>");
   }
 
   /** How a value that is set and got becomes a state, which a component that does nothing lacks. */
@@ -226,6 +207,6 @@ final class SequenceProposal {
   }
 
   private void line(int indent, String content) {
-    text.append(" ".repeat(indent)).append(content).append('\n');
+    text.line(indent, content);
   }
 }
