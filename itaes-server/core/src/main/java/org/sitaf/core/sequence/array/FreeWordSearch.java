@@ -19,8 +19,8 @@ final class FreeWordSearch {
   /** One of so many steps exchanges two letters; the others change one. */
   private static final int EXCHANGES = 4;
 
-  /** Operations of a step besides its tuples. */
-  private static final int STEP = 30;
+  /** Operations of a step besides those for its tuples, which are two for each. */
+  private static final int STEP = 20;
 
   /** Steps between two updates of the temperature. */
   private static final int ROUND = 256;
@@ -69,6 +69,8 @@ final class FreeWordSearch {
 
   /** The words; empty if the budget did not suffice. */
   Optional<List<int[]>> search(Budget budget) {
+    budget.spend(
+        (long) classOf.length * symmetry.order() + words.length * length * changedTuples());
     for (int[] word : words) {
       for (int p = 0; p < length; p++) {
         word[p] = random.nextInt(letters);
@@ -76,7 +78,7 @@ final class FreeWordSearch {
       Subsequences.forEach(word, letters, strength, this::add);
     }
     long total = Math.max(1, budget.remaining());
-    long operations = ROUND * (changedTuples() + STEP);
+    long operations = ROUND * (2 * changedTuples() + STEP);
     while (missing > 0 && !budget.isExhausted()) {
       double used = 1 - (double) budget.remaining() / total;
       double temperature = HOT * Math.pow(COLD / HOT, used);

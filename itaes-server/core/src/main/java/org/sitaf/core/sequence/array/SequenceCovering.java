@@ -23,11 +23,17 @@ public final class SequenceCovering {
 
   private static final int MOST_GUARDED = 3;
 
-  /** Operations of one search for symmetric words as a share of all. */
-  private static final double SYMMETRIC = 0.01;
+  /** Number of words beyond which the operations never suffice for fewer. */
+  private static final int MOST_REDUCED = 200;
+
+  /** Operations of all searches for symmetric words as a share of all. */
+  private static final double ALL_SYMMETRIC = 0.25;
+
+  /** Operations of one search for symmetric words as a share of those. */
+  private static final double SYMMETRIC = 0.04;
 
   /** Operations of one search for words without symmetry as a share of all. */
-  private static final double FREE = 0.35;
+  private static final double FREE = 0.25;
 
   /** Number of missing tuples, besides a fiftieth of all, after which no attempt is made. */
   private static final int HOPELESS = 3;
@@ -126,20 +132,12 @@ public final class SequenceCovering {
    * required. Symmetric words are found faster than others, but do not exist for each number.
    */
   public List<int[]> reduceFree(List<int[]> words, int length) {
-    if (space.letters() < 2) {
+    if (space.letters() < 2 || words.size() > MOST_REDUCED) {
       return words;
     }
     Budget budget = budget(space.size(), MOST_FREE);
-    List<int[]> best = words;
     int least = least(space.size(), length);
-    for (int count = words.size() - 1; count >= Math.max(least, words.size() / 2); count--) {
-      for (Symmetry symmetry : symmetries(count)) {
-        FreeWordSearch search = new FreeWordSearch(space, length, count, symmetry, seed);
-        Optional<List<int[]>> found =
-            best.size() > count ? search.search(budget.part(SYMMETRIC)) : Optional.empty();
-        best = found.orElse(best);
-      }
-    }
+    List<int[]> best = symmetric(words, length, budget.part(ALL_SYMMETRIC));
     progress.report(best.size(), budget.share());
     for (long attempt = 0; best.size() > least && !budget.isExhausted(); attempt++) {
       FreeWordSearch search =
@@ -150,6 +148,28 @@ public final class SequenceCovering {
         progress.report(best.size(), budget.share());
       } else if (search.missing() > hopeless(space.size())) {
         break;
+      }
+    }
+    return best;
+  }
+
+  /** The fewest symmetric words that are found for any number between half of the words and all. */
+  private List<int[]> symmetric(List<int[]> words, int length, Budget budget) {
+    List<int[]> best = words;
+    int fewest = Math.max(least(space.size(), length), words.size() / 2);
+    int missing = 0;
+    for (int count = words.size() - 1;
+        count >= fewest && missing <= hopeless(space.size()) && !budget.isExhausted();
+        count--) {
+      List<Symmetry> symmetries = symmetries(count);
+      // A number without a symmetry, such as a prime, tells nothing about smaller ones.
+      missing = symmetries.isEmpty() ? missing : Integer.MAX_VALUE;
+      for (Symmetry symmetry : symmetries) {
+        if (missing > 0 && !budget.isExhausted()) {
+          FreeWordSearch search = new FreeWordSearch(space, length, count, symmetry, seed);
+          best = search.search(budget.part(SYMMETRIC)).orElse(best);
+          missing = Math.min(missing, search.missing());
+        }
       }
     }
     return best;
