@@ -1,7 +1,5 @@
 package org.sitaf.runtime.simulation;
 
-import io.grpc.Grpc;
-import io.grpc.InsecureChannelCredentials;
 import io.grpc.ManagedChannel;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
@@ -16,8 +14,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
-import java.util.logging.Level;
-import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.Stopwatch;
@@ -55,18 +51,10 @@ public final class Simulation implements AutoCloseable {
   /** Timeout of a call to the simulator; the agent enforces a shorter limit for a case. */
   private static final Duration CALL_TIMEOUT = Duration.ofMinutes(5);
 
-  private static final int MAX_MESSAGE_BYTES = 64 << 20;
-
   /** Simulation time between two frames of a recording: 50 frames per second. */
   private static final long FRAME_NANOS = 20_000_000;
 
-  /**
-   * Netty logs a warning for every Unix socket, because it has no keep-alive. This logger
-   * suppresses it; the field keeps a reference, because a collected logger loses its level.
-   */
-  private static final Logger SOCKET_OPTIONS =
-      Logger.getLogger("io.grpc.netty.shaded.io.netty.bootstrap");
-
+  private final SimulatorChannel connection;
   private final ManagedChannel channel;
   private final String session;
   private final PassingTime time;
@@ -98,11 +86,12 @@ public final class Simulation implements AutoCloseable {
   private record Prepared(Map<String, Double> parameters, Duration settle, Duration callAfter) {}
 
   private Simulation(
-      ManagedChannel channel,
+      SimulatorChannel connection,
       CreateSessionResponse created,
       Stopwatch stopwatch,
       IntFunction<List<TestCase>> upcoming) {
-    this.channel = channel;
+    this.connection = connection;
+    this.channel = connection.channel();
     this.session = created.getSessionId();
     this.timestepNanos = created.getWorld().getTimestepNs();
     this.time = new PassingTime(timestepNanos, this::step);
@@ -147,24 +136,18 @@ public final class Simulation implements AutoCloseable {
             .setWorld(WorldFiles.read(worldDescription))
             .setSeed(seed)
             .build();
-    SOCKET_OPTIONS.setLevel(Level.SEVERE);
-    ManagedChannel channel =
-        Grpc.newChannelBuilder(target, InsecureChannelCredentials.create())
-            .proxyDetector(address -> null)
-            .maxInboundMessageSize(MAX_MESSAGE_BYTES)
-            .directExecutor()
-            .build();
+    SimulatorChannel connection = new SimulatorChannel(target);
     try {
       CreateSessionResponse created =
           callOrThrow(
               "opening the world " + worldDescription.getFileName(),
-              () -> stub(channel).createSession(request));
+              () -> stub(connection.channel()).createSession(request));
       if (created.getWorld().getTimestepNs() <= 0) {
         throw new SimulationException("the simulator reported no timestep");
       }
-      return new Simulation(channel, created, stopwatch, upcoming);
+      return new Simulation(connection, created, stopwatch, upcoming);
     } catch (RuntimeException e) {
-      channel.shutdownNow();
+      connection.close();
       throw e;
     }
   }
@@ -383,7 +366,7 @@ public final class Simulation implements AutoCloseable {
     } catch (StatusRuntimeException e) {
       // The session is no longer needed; its lease expires.
     } finally {
-      channel.shutdownNow();
+      connection.close();
     }
   }
 

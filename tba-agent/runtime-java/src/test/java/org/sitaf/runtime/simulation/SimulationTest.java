@@ -247,6 +247,24 @@ class SimulationTest {
     }
   }
 
+  /** The JVM would wait 0.3 s for a thread in native code before it exits. */
+  @Test
+  void leavesNoThreadThatDelaysTheExit() throws IOException, InterruptedException {
+    try (Simulation simulation = open()) {
+      simulation.prepare(Map.of("Distance", 2.0), java.time.Duration.ZERO);
+      assertThat(threads()).anyMatch(name -> name.startsWith(SimulatorChannel.THREAD));
+    }
+    // The thread still has to return.
+    for (int i = 0; i < 30 && threads().toString().contains(SimulatorChannel.THREAD); i++) {
+      Thread.sleep(10);
+    }
+    assertThat(threads()).noneMatch(name -> name.startsWith(SimulatorChannel.THREAD));
+  }
+
+  private static List<String> threads() {
+    return Thread.getAllStackTraces().keySet().stream().map(Thread::getName).toList();
+  }
+
   @Test
   void renewsTheLeaseDuringALongCall() throws IOException, InterruptedException {
     try (Simulation simulation = open()) {
