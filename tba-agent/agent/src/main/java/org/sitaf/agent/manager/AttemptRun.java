@@ -203,10 +203,7 @@ final class AttemptRun {
       try {
         return work.get();
       } finally {
-        // Start the compiler for the next build of this language.
-        settings
-            .toolchains()
-            .startAhead(application.activity().profile().harness(), settings.sandbox());
+        startCompilerAhead(application);
       }
     } catch (InvalidInputException e) {
       return new BuildOutcome.CompilationFailed(
@@ -224,8 +221,15 @@ final class AttemptRun {
     }
   }
 
+  /** Starts the compiler for the next build of this language, unless it is running. */
+  private void startCompilerAhead(TestApplication application) {
+    settings
+        .toolchains()
+        .startAhead(application.activity().profile().harness(), settings.sandbox());
+  }
+
   private Supplier<BuildOutcome> build(TestApplication application, ProgressReport report) {
-    BuildRun run = new BuildRun(application, directory, recorded(), counting(report));
+    BuildRun run = new BuildRun(application, directory, recorded(), counting(report, application));
     synchronized (this) {
       running = run::cancel;
       casesLeft = application.suite().cases().size();
@@ -241,7 +245,7 @@ final class AttemptRun {
             AnalysisMessages.order(assignment.getAnalysis(), files.content(ANALYSED).orElse(null)),
             directory,
             settings,
-            counting(report));
+            counting(report, application));
     synchronized (this) {
       running = run::cancel;
     }
@@ -249,8 +253,10 @@ final class AttemptRun {
   }
 
   /** Forwards events to the report and counts the remaining cases. */
-  private BuildListener counting(ProgressReport report) {
+  private BuildListener counting(ProgressReport report, TestApplication application) {
     return new BuildListener() {
+      private boolean compilerStarted;
+
       @Override
       public void stage(BuildStage stage) {
         report.stage(stage);
@@ -267,6 +273,12 @@ final class AttemptRun {
           casesLeft--;
         }
         report.caseFinished(result);
+        // Not before the first case, which it would delay. A process that is not idle would take
+        // time from the others.
+        if (!compilerStarted && settings.sandbox().canIdle()) {
+          compilerStarted = true;
+          startCompilerAhead(application);
+        }
       }
 
       @Override
