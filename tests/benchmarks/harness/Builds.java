@@ -37,10 +37,11 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
   /**
    * The times of a build.
    *
+   * @param steps number of steps if the cases are sequences
    * @param firstCaseSeconds time from the activity's files to the first result
    * @param casesMicros time from the first result to the last
    */
-  record Run(int cases, double firstCaseSeconds, double casesMicros, double medianComponentMicros) {
+  record Run(int cases, int steps, double firstCaseSeconds, double casesMicros, double medianComponentMicros) {
     /** Time from the activity's files to the last result. */
     double seconds() {
       return firstCaseSeconds + casesMicros / 1e6;
@@ -111,6 +112,7 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
         result.cases().stream().map(c -> c.time() == null ? 0 : c.time().total()).sorted().toList();
     return new Run(
         suite.cases().size(),
+        suite.cases().stream().mapToInt(c -> c.steps().size()).sum(),
         (ends.get(0) - began) / 1e9,
         (ends.get(ends.size() - 1) - ends.get(0)) / 1e3,
         component.get(component.size() / 2));

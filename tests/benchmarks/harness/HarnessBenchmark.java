@@ -36,6 +36,9 @@ public final class HarnessBenchmark {
   /** Allowed additional time for recordings by default. */
   private static final double RECORDING_SECONDS = 0.5;
 
+  private static final int SEQUENCES = 3_000;
+  private static final double STEPS_PER_SECOND = 10_000;
+
   private static final int RUNS = 3;
   private static final int CHANGES = 9;
   private static final int WARM_UP = 4;
@@ -57,7 +60,7 @@ public final class HarnessBenchmark {
   private double lineMicros;
   private double clockMicros;
 
-  /** Arguments: languages and {@code recording}; all are measured by default. */
+  /** Arguments: languages, {@code recording} and {@code steps}; all are measured by default. */
   public static void main(String[] arguments) throws Exception {
     System.exit(new HarnessBenchmark().measure(List.of(arguments)) ? 0 : 1);
   }
@@ -94,6 +97,24 @@ public final class HarnessBenchmark {
         example + ": overhead of recordings for a build of " + plain.get(0).cases() + " cases",
         longer - seconds, "s", RECORDING_SECONDS, false,
         longer / seconds, String.format(Locale.ROOT, "the build without recordings (%.2f s)", seconds));
+  }
+
+  /** Sequences of calls of a component that only reads its sensors. */
+  private void measureSteps(Language language, boolean hasTarget, Builds builds) throws Exception {
+    if (builds.toolchains().of(language).isEmpty()) {
+      return;
+    }
+    Path activity =
+        SensorSequences.write(
+            home.resolve("examples").resolve(TARGETS.get(language).example()),
+            builds.directory().resolve("sequences-" + language.id()));
+    builds.run(activity, UnaryOperator.identity(), "");
+    Builds.Run run = median(activity, LongSuite.repeated(SEQUENCES), builds);
+    double perStep = run.casesMicros() / run.steps();
+    rows.row(
+        language.id() + ": steps of sequences, end to end",
+        1e6 / perStep, "steps/s", hasTarget ? STEPS_PER_SECOND : Double.NaN, true,
+        perStep / lineMicros, "writing its line");
   }
 
   private static String changed(int i) {
@@ -133,6 +154,11 @@ public final class HarnessBenchmark {
       rows.print("reading the clock twice", clockMicros, "us");
       if (languages.isEmpty() || languages.contains("recording")) {
         measureRecordings(builds);
+      }
+      if (languages.isEmpty() || languages.contains("steps")) {
+        measureSteps(Language.JAVA, true, builds);
+        measureSteps(Language.CPP, true, builds);
+        measureSteps(Language.PYTHON, false, builds);
       }
       for (Language language : Language.values()) {
         Path example = home.resolve("examples").resolve(TARGETS.get(language).example());

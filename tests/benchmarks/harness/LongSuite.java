@@ -19,7 +19,7 @@ final class LongSuite {
       List<TestCase> cases = new ArrayList<>(suite.cases());
       while (cases.size() < atLeast) {
         TestCase again = cases.get(cases.size() % suite.cases().size());
-        cases.add(new TestCase(cases.size() + 1, again.valid(), again.values(), again.expected()));
+        cases.add(again.withNumber(cases.size() + 1));
       }
       return suite.withCases(cases);
     };
