@@ -3,6 +3,7 @@
 usage: start.py [ADDRESS]
 """
 
+import shutil
 import signal
 import subprocess
 import sys
@@ -15,6 +16,9 @@ HERE = Path(__file__).resolve().parent
 
 def main(address: str) -> int:
     """Run until the provider ends."""
+    if shutil.which("socat") is None:
+        print("socat, which is the serial cable, is missing; apt-get install socat", file=sys.stderr)
+        return 1
     with tempfile.TemporaryDirectory() as folder:
         ends = [Path(folder) / name for name in ("instrument", "computer")]
         processes = [subprocess.Popen(["socat", *(f"pty,raw,echo=0,link={end}" for end in ends)])]

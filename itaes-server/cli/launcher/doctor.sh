@@ -71,6 +71,7 @@ fi
 optional "CMake" "for components that are CMake projects" "$(command -v make >/dev/null && command -v cmake >/dev/null && version_of cmake --version)" "cmake make"
 optional "bubblewrap" "sandbox for components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
 
+optional "socat" "serial cable of examples/serial-range" "$(command -v socat >/dev/null && version_of socat -V)" socat
 optional "gdb" "debugger for C++ components" "$(command -v gdb >/dev/null && version_of gdb --version)" gdb
 
 # feature NAME STATE NOTE: a feature of the sandbox; the note explains how to get a missing feature.
