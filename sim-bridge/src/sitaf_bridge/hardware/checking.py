@@ -1,6 +1,5 @@
 """Compares devices that are not simulated with the world, before a test runs."""
 
-import math
 from collections.abc import Collection, Mapping, Sequence
 from difflib import get_close_matches
 from typing import cast
@@ -93,8 +92,7 @@ def commands_of(world: World, device: DeviceDeclaration) -> Mapping[str, Limits]
     if form is None:
         return {}
     bank = cast(ActuatorBank, world.banks[device.kind])
-    accepted = bank.accepts(world.model, device.name)
-    return accepted or dict.fromkeys(COMMANDS.get(form, ()), (-math.inf, math.inf))
+    return bank.accepts(world.model, device.name).numbers
 
 
 def _unit(world: World, device: DeviceDeclaration, number: pb.Number) -> str:

@@ -108,6 +108,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
                 lease=duration(session.lease_s),
                 state=state_message(simulation.state),
                 keeps_signals=self._signals is not None or self._hardware is not None,
+                real_time=self._hardware is not None,
             )
 
     @answering

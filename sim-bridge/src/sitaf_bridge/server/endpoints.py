@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import grpc
 
-from sitaf_bridge.errors import Forbidden, InvalidRequest, NoSuchEndpoint, Unavailable
+from sitaf_bridge.errors import Forbidden, InvalidRequest, NoSuchEndpoint, NoSuchSession, Unavailable
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.hardware import VirtualHardware
 from sitaf_bridge.server.status import answering
@@ -28,6 +28,7 @@ from sitaf_bridge.wire import simulation_pb2_grpc
 from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.driving.signals import Trace
+from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
 
 if TYPE_CHECKING:
@@ -80,23 +81,40 @@ class Endpoint:
         self.hardware = hardware
         self.signals = SignalStore(order) if order is not None else None
         self.target = f"unix:{path}"
-        self._registry = Registry(default_lease_s=lease_s, max_sessions=1)
+        # Every change of a simulation has a state of its own.
+        self._shown: WorldState | None = None
+        self._version = 0
+        self.sessions = Registry(default_lease_s=lease_s, max_sessions=1)
         self._pool = ThreadPoolExecutor(threads, thread_name_prefix="call")
         self._server = grpc.server(self._pool, options=SERVER_OPTIONS, maximum_concurrent_rpcs=MAX_CALLS)
-        control = SimulationControl(catalog, self._registry, self.signals, hardware)
-        virtual = VirtualHardware(self._registry, threads // 2)
+        control = SimulationControl(catalog, self.sessions, self.signals, hardware)
+        virtual = VirtualHardware(self.sessions, threads // 2)
         simulation_pb2_grpc.add_SimulationControlServicer_to_server(control, self._server)
         simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(virtual, self._server)
         self._server.add_insecure_port(self.target)
         os.chmod(path, SOCKET_MODE)
         self._server.start()
 
+    def show_motion(self, known: int) -> tuple[bytes, int]:
+        """The motion of the session so far as GLB, and the version of its state; b"" if it is the known one.
+
+        Raises NoSuchSession, WrongState, LimitReached.
+        """
+        session = self.sessions.newest()
+        if session is None:
+            raise NoSuchSession("the endpoint has no session")
+        with session.simulation() as simulation:
+            if simulation.state is not self._shown:
+                self._shown = simulation.state
+                self._version += 1
+            return b"" if known == self._version else simulation.show_motion(), self._version
+
     def close(self) -> bool:
         """Close the session; return whether all calls have ended."""
         if self.hardware is not None:
             self.hardware.close()
         stopped = self._server.stop(0)
-        self._registry.close()
+        self.sessions.close()
         self._pool.shutdown(wait=False, cancel_futures=True)
         return stopped.wait(GRACE_S)
 
@@ -135,21 +153,25 @@ class Endpoints:
 
     def hardware(self, name: str) -> "LiveHardware | None":
         """The devices of an endpoint that are not simulated. Raises NoSuchEndpoint."""
-        with self._lock:
-            endpoint = self._open.get(name)
-        if endpoint is None:
-            raise NoSuchEndpoint(f"name: there is no endpoint {name!r}")
-        return endpoint.hardware
+        return self._named(name).hardware
+
+    def show_motion(self, name: str, known: int) -> tuple[bytes, int]:
+        """The motion of the session of an endpoint; see `Endpoint.show_motion`. Raises NoSuchEndpoint."""
+        return self._named(name).show_motion(known)
 
     def take_signals(self, name: str, no: int) -> tuple[Trace | None, int]:
         """Remove the signals of a case; see `SignalStore.take`. Raises NoSuchEndpoint, InvalidRequest."""
+        endpoint = self._named(name)
+        if endpoint.signals is None:
+            raise InvalidRequest(f"name: the endpoint {name} records no signals")
+        return endpoint.signals.take(no)
+
+    def _named(self, name: str) -> Endpoint:
         with self._lock:
             endpoint = self._open.get(name)
         if endpoint is None:
             raise NoSuchEndpoint(f"name: there is no endpoint {name!r}")
-        if endpoint.signals is None:
-            raise InvalidRequest(f"name: the endpoint {name} records no signals")
-        return endpoint.signals.take(no)
+        return endpoint
 
     def close_one(self, name: str) -> bool:
         """Close an endpoint; return whether all its calls have ended. Raises NoSuchEndpoint."""
@@ -229,6 +251,12 @@ class Administration(pb_grpc.SimulatorAdministrationServicer):
                 pb.Signal(name=name, values=trace.values[:, column].tolist()) for column, name in enumerate(trace.names)
             ],
         )
+
+    @answering
+    def ShowMotion(self, request: pb.ShowMotionRequest, context: grpc.ServicerContext) -> pb.ShowMotionResponse:
+        """Return the motion of a running case."""
+        gltf, version = self._endpoints.show_motion(request.name, request.known_version)
+        return pb.ShowMotionResponse(gltf=gltf, version=version)
 
     @answering
     def CloseEndpoint(

@@ -142,7 +142,9 @@ def _reset(
 def _step(
     _: Session, simulation: Simulation, request: pb.StepSimulationRequest, is_active: IsActive
 ) -> pb.StepSimulationResponse:
-    state = simulation.step(request.steps, is_active, dict(request.parameters), commands_of(request.commands))
+    later = [(each.steps, commands_of(each.commands)) for each in request.later]
+    commands = commands_of(request.commands)
+    state = simulation.step(request.steps, is_active, dict(request.parameters), commands, later)
     return pb.StepSimulationResponse(state=state_message(state))
 
 

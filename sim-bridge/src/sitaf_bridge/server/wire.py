@@ -74,19 +74,21 @@ def world_message(world: World) -> pb.WorldDescription:
             pb.ParameterDescription(name=p.name, unit=p.unit, min=p.low, max=p.high, default_value=p.default)
             for p in description.parameters.values()
         ],
-        devices=[
-            pb.DeviceDescription(name=d.name, kind=d.kind, fields=KINDS[d.kind].fields(d), commands=_commands(world, d))
-            for d in description.devices.values()
-        ],
+        devices=[_device_message(world, device) for device in description.devices.values()],
         observations=[pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()],
         entities=world.bodies,
     )
 
 
-def _commands(world: World, device: DeviceDeclaration) -> list[pb.CommandNumber]:
-    """The numbers that a command of a device may contain."""
-    if KINDS[device.kind].takes is None:
-        return []
-    bank = cast(ActuatorBank, world.banks[device.kind])
-    accepted = bank.accepts(world.model, device.name)
-    return [pb.CommandNumber(name=name, min=low, max=high) for name, (low, high) in accepted.items()]
+def _device_message(world: World, device: DeviceDeclaration) -> pb.DeviceDescription:
+    """A device with the commands that it accepts."""
+    kind = KINDS[device.kind]
+    message = pb.DeviceDescription(name=device.name, kind=device.kind, fields=kind.fields(device))
+    if kind.takes is None:
+        return message
+    accepted = cast(ActuatorBank, world.banks[device.kind]).accepts(world.model, device.name)
+    for name, (low, high) in accepted.numbers.items():
+        message.commands.add(name=name, min=low, max=high)
+    for bound in accepted.bounds:
+        message.bounds.add(factors=bound.factors, min=bound.limits[0], max=bound.limits[1])
+    return message

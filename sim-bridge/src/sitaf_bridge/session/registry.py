@@ -75,6 +75,11 @@ class Registry:
                 if entry.ends < self._looks_at:
                     self._changed.notify()
 
+    def newest(self) -> Session | None:
+        """The newest session, without a call in it: its lease is not renewed."""
+        with self._changed:
+            return next((e.session for e in reversed(self._entries.values()) if not self._has_ended(e)), None)
+
     def delete(self, session_id: str) -> None:
         """Delete a session; a running call in it completes."""
         entry = self._enter(session_id)

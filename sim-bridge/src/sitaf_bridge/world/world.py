@@ -6,7 +6,7 @@ from functools import cached_property
 
 import mujoco
 
-from sitaf_bridge.errors import BadWorld, Problem
+from sitaf_bridge.errors import BadWorld, Problem, UnreachableValue
 from sitaf_bridge.world.additions import Additions, SpawnedEntity
 from sitaf_bridge.world.compiler import compile_mjcf
 from sitaf_bridge.world.description.declaration import START, Bind, Description, Parameter, read_description
@@ -62,6 +62,24 @@ class World:
         """The names of all named bodies except the world itself."""
         names = (mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_BODY, b) for b in range(1, self.model.nbody))
         return tuple(name for name in names if name)
+
+    def apply(self, model: mujoco.MjModel, data: mujoco.MjData, values: Mapping[str, float]) -> None:
+        """Set direct parameters first, then solved ones, which depend on them; each in the order of declaration.
+
+        Raises UnreachableValue.
+        """
+        ordered = [name for name in self.binds if name in values]
+        for name in ordered:
+            for bind in self.binds[name]:
+                if bind.gap is None:
+                    bind.setting.put(model, data, values[name])
+        for name in ordered:
+            for bind in self.binds[name]:
+                if bind.gap is not None:
+                    try:
+                        bind.gap.solve(model, data, bind.setting, values[name])
+                    except UnreachableValue as error:
+                        raise UnreachableValue(f"parameter {name}: {values[name]:g}: {error}") from error
 
 
 def load_world(source: WorldSource, entities: tuple[SpawnedEntity, ...] = ()) -> World:

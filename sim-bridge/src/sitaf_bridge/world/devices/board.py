@@ -1,12 +1,12 @@
 """The kinds `battery` and `digital_io`, whose state is the `level` of each device."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import mujoco
 
 from sitaf_bridge.world.description.yaml_block import Block, Problems
-from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Limits, Reading, expected_form
+from sitaf_bridge.world.devices.kind import Accepted, Command, DeviceDeclaration, DeviceKind, Reading, expected_form
 
 SECONDS_PER_HOUR = 3600.0
 
@@ -86,9 +86,9 @@ class LevelBank:
         declaration = self._by_name[command.device]
         data.userdata[declaration.address(model, "level")] = expected_form(command, "level")["level"]
 
-    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
+    def accepts(self, model: mujoco.MjModel, device: str) -> Accepted:
         """Both levels."""
-        return {"level": (0.0, 1.0)}
+        return Accepted({"level": (0.0, 1.0)})
 
     def actuators(self, device: str) -> tuple[int, ...]:
         """None: a line is no part of the model."""

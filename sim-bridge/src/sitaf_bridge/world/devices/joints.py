@@ -1,6 +1,6 @@
 """Kinds `joint_encoder` and `joint_motor`: sensors and drives of hinge and slide joints."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import mujoco
@@ -17,7 +17,7 @@ from sitaf_bridge.world.devices.binding import (
     limits_of,
     mode_of,
 )
-from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Limits, Reading, expected_form
+from sitaf_bridge.world.devices.kind import Accepted, Command, DeviceDeclaration, DeviceKind, Reading, expected_form
 
 FIELDS = ("position", "velocity", "effort")
 
@@ -143,10 +143,10 @@ class MotorBank:
             raise InvalidRequest(f"commands: the motor {command.device} takes {motor.mode}, not {mode}")
         command_actuator(model, data, motor.actuator, value, f"{command.device}.{mode}")
 
-    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
+    def accepts(self, model: mujoco.MjModel, device: str) -> Accepted:
         """The mode of the actuator."""
         motor = self._by_name[device]
-        return {motor.mode: limits_of(model, motor.actuator)}
+        return Accepted({motor.mode: limits_of(model, motor.actuator)})
 
     def actuators(self, device: str) -> tuple[int, ...]:
         """The actuator of a motor."""

@@ -38,6 +38,22 @@ class DeviceDeclaration:
 Limits = tuple[float, float]
 
 
+@dataclass(frozen=True)
+class Bound:
+    """The limits of a sum of `factors`, each times its number of a command."""
+
+    factors: Mapping[str, float]
+    limits: Limits
+
+
+@dataclass(frozen=True)
+class Accepted:
+    """The commands that a device is known to accept: numbers with their limits, and limits of several together."""
+
+    numbers: Mapping[str, Limits]
+    bounds: Sequence[Bound] = ()
+
+
 class Reading(NamedTuple):
     """The reading of one device at the current step: the fields of its kind, booleans as 0 and 1."""
 
@@ -69,8 +85,8 @@ class ActuatorBank(Bank, Protocol):
         """Run a command with finite numbers. Raises InvalidRequest, UnreachableValue."""
         ...
 
-    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
-        """The numbers that a command may contain, each with its limits; none if limits concern several together."""
+    def accepts(self, model: mujoco.MjModel, device: str) -> Accepted:
+        """The commands that a device accepts."""
         ...
 
     def actuators(self, device: str) -> tuple[int, ...]:

@@ -1,7 +1,7 @@
 """Kinds `differential_drive` and `gripper`: several actuators with one command."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import mujoco
@@ -18,7 +18,18 @@ from sitaf_bridge.world.devices.binding import (
     limits_of,
     mode_of,
 )
-from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Limits, Reading, expected_form
+from sitaf_bridge.world.devices.kind import (
+    Accepted,
+    Bound,
+    Command,
+    DeviceDeclaration,
+    DeviceKind,
+    Reading,
+    expected_form,
+)
+
+# The share of a limit below which a command might be refused after rounding.
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -118,11 +129,20 @@ class DriveBank:
             shown = f"{command.device}: {side} wheel in rad/s"
             command_actuator(model, data, actuator, speed / declaration.wheel_radius, shown)
 
-    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
-        """Any velocity, unless a wheel has limits, which concern both numbers together."""
-        if any(model.actuator_ctrllimited[actuator] for actuator in self.actuators(device)):
-            return {}
-        return {"linear": (-math.inf, math.inf), "angular": (-math.inf, math.inf)}
+    def accepts(self, model: mujoco.MjModel, device: str) -> Accepted:
+        """Any velocity that both wheels reach."""
+        declaration, pair = self._by_name[device]
+        assert isinstance(declaration, DriveDeclaration)  # noqa: S101
+        bounds: list[Bound] = []
+        for actuator, side in zip(pair.actuators, (-1, 1), strict=True):
+            if model.actuator_ctrllimited[actuator]:
+                low, high = limits_of(model, actuator)
+                # `write` rounds in another order.
+                margin = _ROUNDING * max(abs(low), abs(high))
+                turning = side * declaration.track / 2
+                factors = {"linear": 1 / declaration.wheel_radius, "angular": turning / declaration.wheel_radius}
+                bounds.append(Bound(factors, (low + margin, high - margin)))
+        return Accepted({"linear": (-math.inf, math.inf), "angular": (-math.inf, math.inf)}, bounds)
 
     def actuators(self, device: str) -> tuple[int, ...]:
         """The actuators of both wheels."""
@@ -189,12 +209,13 @@ class GripperBank:
         for actuator in pair.actuators:
             command_actuator(model, data, actuator, width / 2, f"{command.device}.width/2")
 
-    def accepts(self, model: mujoco.MjModel, device: str) -> Mapping[str, Limits]:
+    def accepts(self, model: mujoco.MjModel, device: str) -> Accepted:
         """The widths that the hand and both of its fingers reach."""
         declaration, pair = self._by_name[device]
         assert isinstance(declaration, GripperDeclaration)  # noqa: S101
         lows, highs = zip(*(limits_of(model, actuator) for actuator in pair.actuators), strict=True)
-        return {"width": (max(0.0, *(2 * low for low in lows)), min(declaration.width, *(2 * high for high in highs)))}
+        low, high = max(0.0, *(2 * low for low in lows)), min(declaration.width, *(2 * high for high in highs))
+        return Accepted({"width": (low, high)})
 
     def actuators(self, device: str) -> tuple[int, ...]:
         """The actuators of both fingers."""

@@ -1,7 +1,7 @@
 """Checks of requests before anything is changed."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from sitaf_bridge.errors import InvalidRequest, LimitReached, UnreachableValue
 from sitaf_bridge.world.driving.commanding import check_saturable
@@ -9,6 +9,8 @@ from sitaf_bridge.world.sensing.fault_names import SATURATED, check_fault_name, 
 from sitaf_bridge.world.world import World
 
 MAX_STEPS = 10_000_000
+# Runs in one call, each with its commands.
+MAX_RUNS = 1_001
 
 
 def check_values(world: World, values: Mapping[str, float]) -> None:
@@ -52,6 +54,15 @@ def steps_in(world: World, duration_ns: int, shown: str) -> int:
     steps = -(-duration_ns // world.timestep_ns)
     check_step_count(steps)
     return steps
+
+
+def check_runs(steps: Sequence[int]) -> None:
+    """Check the steps of each run of one call. Raises InvalidRequest, LimitReached."""
+    if len(steps) > MAX_RUNS:
+        raise LimitReached(f"later: {len(steps) - 1} entries; the limit is {MAX_RUNS - 1}")
+    if min(steps) < 1:
+        raise InvalidRequest("steps: must be at least 1")
+    check_step_count(sum(steps))
 
 
 def check_step_count(steps: int) -> None:

@@ -77,6 +77,13 @@ class MotionRecording:
             del self._frames[1::2]
             self._interval *= 2
 
+    def take(self, world: World, model: mujoco.MjModel, data: mujoco.MjData, state: WorldState) -> tuple[bytes, int]:
+        """Export the recording and start it again with this state. Raises LimitReached."""
+        taken = self.export(world, model, data, state)
+        self.restart()
+        self.record(world, data, state)
+        return taken
+
     def export(self, world: World, model: mujoco.MjModel, data: mujoco.MjData, state: WorldState) -> tuple[bytes, int]:
         """Export the recording, ending with this state, as GLB, and its number of frames. Raises LimitReached."""
         frames = [frame for frame in self._frames if frame.step < state.step]
@@ -92,7 +99,6 @@ class MotionRecording:
             "times": glb.view(seconds),
             "rows": glb.view(np.array([frame.numbers for frame in frames], np.float32)),
         }
-        self.restart()
         return glb.content(), len(frames)
 
     def _frame(self, world: World, data: mujoco.MjData, state: WorldState) -> Frame:

@@ -166,7 +166,7 @@ class RunningWorld:
         schedule = self._sensing.schedule
         # Devices that nobody reads during the run and that are not recorded, such as laser scans.
         without = frozenset() if motion is None or every else motion.omitted_kinds
-        if left > 0 and (every or motion is not None):
+        if left > 0 and (every or (motion is not None and motion.is_due(self._step))):
             self._observe(without)
         if self._step in schedule.changes:
             self._refresh_commands()
@@ -195,6 +195,25 @@ class RunningWorld:
                 self._read()
             if left > 0 and motion is not None:
                 self._observe(without)
+
+    def _pass(self) -> bool:
+        """Between two runs of one request, whose state nobody reads; False after a divergence.
+
+        What a refresh would have left behind is left behind here, too.
+        """
+        if self._divergence.seen():
+            return False
+        signals = self._signals
+        sampled = signals is not None and signals.next_step == self._step
+        # As in a run: a delayed device needs every step, a stuck one that at which it sticks.
+        sensed = self._step in self._sensing.schedule.changes or self._sensing.keeps_past(self._data, self._step)
+        if sampled or sensed:
+            mujoco.mj_forward(self._model, self._data)
+        if sensed:
+            self._read()
+        if sampled:
+            self._sample()
+        return True
 
     def _refresh_commands(self, before: FaultSchedule | None = None) -> None:
         """Let commands follow the faults that begin or end at this step, or are no longer in the schedule."""

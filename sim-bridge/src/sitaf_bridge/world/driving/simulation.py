@@ -6,12 +6,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 import mujoco
 import numpy as np
 
-from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, UnreachableValue, WrongState
+from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, WrongState
 from sitaf_bridge.world.additions import SpawnedEntity
 from sitaf_bridge.world.devices import Command
 from sitaf_bridge.world.devices.camera import CameraBank, Image
 from sitaf_bridge.world.driving import entities
-from sitaf_bridge.world.driving.checking import check_names, check_step_count, check_values, steps_in
+from sitaf_bridge.world.driving.checking import check_names, check_runs, check_values, steps_in
 from sitaf_bridge.world.driving.conditions import Condition, bind_condition
 from sitaf_bridge.world.driving.entities import Motion
 from sitaf_bridge.world.driving.motion import MotionRecording
@@ -99,12 +99,14 @@ class Simulation(RunningWorld):
         is_active: Callable[[], bool] = lambda: True,
         values: Mapping[str, float] | None = None,
         commands: Sequence[Command] = (),
+        later: Sequence[tuple[int, Sequence[Command]]] = (),
     ) -> WorldState:
-        """Set parameters and commands, then advance time by whole steps. Raises Cancelled, Diverged."""
+        """Set parameters and commands, then advance time by whole steps. Raises Cancelled, Diverged.
+
+        `later` are further steps with their commands; the state is that after the last of them.
+        """
         self._check_not_frozen()
-        if steps < 1:
-            raise InvalidRequest("steps: must be at least 1")
-        check_step_count(steps)
+        check_runs([steps, *(count for count, _ in later)])
         check_values(self._pristine, values or {})
 
         def stepped() -> None:
@@ -114,6 +116,11 @@ class Simulation(RunningWorld):
                 self._set_live(values)
             self._give(commands)
             self._run(steps, is_active)
+            for more, given in later:
+                if not self._pass():
+                    return
+                self._give(given)
+                self._run(more, is_active)
 
         return self._all_or_nothing(stepped)
 
@@ -234,13 +241,18 @@ class Simulation(RunningWorld):
             self._motion.record(self.world, self._data, self._state)
 
     def take_motion(self) -> tuple[bytes, int]:
-        """The recorded motion as GLB, and the number of its frames. Raises WrongState, LimitReached."""
+        """The recorded motion as GLB, and its number of frames; it starts again. Raises WrongState, LimitReached."""
+        return self._recorded().take(self.world, self._model, self._data, self._state)
+
+    def show_motion(self) -> bytes:
+        """The motion so far as GLB; the recording goes on. Raises WrongState, LimitReached."""
+        return self._recorded().export(self.world, self._model, self._data, self._state)[0]
+
+    def _recorded(self) -> MotionRecording:
         self._check_not_frozen()
         if self._motion is None:
             raise WrongState("this session does not record motion; call RecordMotion first")
-        taken = self._motion.export(self.world, self._model, self._data, self._state)
-        self._motion.record(self.world, self._data, self._state)
-        return taken
+        return self._motion
 
     def record_signals(self, names: Sequence[str], settling: bool) -> None:
         """Start to sample signals in each step, also while the world settles if `settling`. Raises InvalidRequest."""
@@ -382,17 +394,5 @@ class Simulation(RunningWorld):
         self._apply(dict(self._values))
 
     def _apply(self, values: Mapping[str, float]) -> None:
-        """Set direct parameters first, then solved ones, which depend on them; each in the order of declaration."""
-        ordered = [name for name in self.world.binds if name in values]
-        for name in ordered:
-            for bind in self.world.binds[name]:
-                if bind.gap is None:
-                    bind.setting.put(self._model, self._data, values[name])
-        for name in ordered:
-            for bind in self.world.binds[name]:
-                if bind.gap is not None:
-                    try:
-                        bind.gap.solve(self._model, self._data, bind.setting, values[name])
-                    except UnreachableValue as error:
-                        raise UnreachableValue(f"parameter {name}: {values[name]:g}: {error}") from error
+        self.world.apply(self._model, self._data, values)
         self._values.update(values)
