@@ -2,11 +2,13 @@
 
 import os
 import shutil
+import signal
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from terminal import Terminal
 
 ROOT = Path(__file__).resolve().parents[1]
 LIMIT_S = 600
@@ -94,3 +96,18 @@ def activity(tmp_path):
     folder = tmp_path / "ir-sensor"
     shutil.copytree(ROOT / "examples" / "ir-sensor", folder)
     return folder
+
+
+@pytest.fixture
+def terminal():
+    """Starts commands whose output is read while they run; they end with the test."""
+    started = []
+
+    def start(*arguments, command=None):
+        started.append(Terminal(*arguments, command=command))
+        return started[-1]
+
+    yield start
+    for each in started:
+        if each.process.poll() is None:
+            os.killpg(each.process.pid, signal.SIGKILL)

@@ -7,7 +7,7 @@ from contextlib import suppress
 
 import grpc
 import pytest
-
+from needs import socat
 from provider_contract import PROVIDERS, running
 
 pb = pytest.importorskip("sitaf_hardware.wire.hardware_pb2", reason="pip install ./hardware/python")
@@ -43,7 +43,10 @@ class Hold:
             list(self.call)
 
 
-@pytest.fixture(scope="module", params=list(PROVIDERS))
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=socat) if name == "serial line" else name for name in PROVIDERS],
+)
 def address(request):
     named = request.config.getoption("--provider")
     if named:

@@ -171,10 +171,48 @@ def test_the_world_tells_which_commands_a_device_accepts(robot):
         "push": {"effort": (-10, 10)},
         "turn": {"position": always},
         "base": {"linear": always, "angular": always},
+        "slow": {"linear": always, "angular": always},
         "hand": {"width": (0, 0.06)},
         "line": {"level": (0, 1)},
     }
     robot.step(1, commands=[effort(10), effort(-10), position(1e6), grip(0.06), grip(0), drive(50, -50)])
+    # Numbers that together are within the limits: only the right wheel of one drive has some.
+    (device,) = [d for d in robot.created.world.devices if d.bounds]
+    (bound,) = device.bounds
+    assert device.name == "slow"
+    assert dict(bound.factors) == pytest.approx({"linear": 10, "angular": 2.5})
+    assert (bound.min, bound.max) == pytest.approx((-2, 2))
+    assert -2 < bound.min < bound.max < 2
+    for linear in (-4.0, -0.2, 0.0, 0.2, 4.0):
+        for total in (bound.min, 0.0, bound.max):
+            angular = (total - bound.factors["linear"] * linear) / bound.factors["angular"]
+            robot.step(1, commands=[drive(linear, angular, "slow")])
+
+
+def test_steps_whose_readings_nobody_needs_can_follow_in_one_request(robot, twin):
+    parts = [(1 + part % 4, drive(0.1 * part, 0.02 * part)) for part in range(20)]
+    for steps, command in parts:
+        alone = robot.step(steps, commands=[command])
+    (steps, command), *rest = parts
+    later = [pb.LaterSteps(steps=more, commands=[given]) for more, given in rest]
+    together = twin.step(steps, commands=[command], later=later)
+    assert together.SerializeToString() == alone.SerializeToString()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "code", "named"),
+    [
+        (pb.LaterSteps(steps=1, commands=[drive(9, 0, "slow")]), grpc.StatusCode.OUT_OF_RANGE, "slow: right wheel"),
+        (pb.LaterSteps(), grpc.StatusCode.INVALID_ARGUMENT, "steps: must be at least 1"),
+    ],
+)
+def test_one_wrong_entry_of_later_steps_refuses_the_request(robot, wrong, code, named):
+    before = robot("ReadDevices").state
+    with pytest.raises(grpc.RpcError) as refused:
+        robot.step(1, later=[pb.LaterSteps(steps=3, commands=[drive(1, 0)]), wrong])
+    assert refused.value.code() == code
+    assert named in refused.value.details()
+    assert robot("ReadDevices").state == before
 
 
 def numbers(state, described):

@@ -2,6 +2,7 @@
 
 import importlib.util
 import math
+import random
 import subprocess
 import sys
 
@@ -28,6 +29,15 @@ devices:
   a: {kind: joint_motor, actuator: a}
   b: {kind: joint_motor, actuator: b}
   lamp: {kind: digital_io}
+"""
+DRIVE_MJCF = """<mujoco><option timestep="0.002"/><worldbody><body><freejoint/><geom size="0.1"/>
+  <body pos="0 0.2 0"><joint name="l" axis="0 1 0"/><geom size="0.1"/></body>
+  <body pos="0 -0.2 0"><joint name="r" axis="0 1 0"/><geom size="0.1"/></body></body></worldbody>
+<actuator><velocity name="l" joint="l" kv="1" ctrlrange="-10 10"/>
+  <velocity name="r" joint="r" kv="1" ctrlrange="-10 10"/></actuator></mujoco>"""
+DRIVE_YAML = """mjcf: w.xml
+devices:
+  base: {kind: differential_drive, left: l, right: r, wheel_radius: 0.1, track: 0.4}
 """
 
 
@@ -117,3 +127,65 @@ def test_more_commands_than_fit_are_sent_in_between(simulation, exchanges):
         a.set_effort(count / 1000)
     assert exchanges("WriteDevices") == 2
     assert a.effort() == 2.499
+
+
+def test_steps_that_nobody_reads_are_one_exchange(simulation, exchanges):
+    a = simulation.hardware.joint_motor("a")
+    for count in range(50):
+        a.set_effort(count / 50)
+        simulation.pass_unread(3)
+    assert exchanges("StepSimulation") == 0
+    simulation.catch_up()
+    assert (exchanges("StepSimulation"), simulation.now_ns) == (1, 300_000_000)
+    together = a.position()
+    assert together > 0
+
+    simulation.prepare({})
+    for count in range(50):
+        a.set_effort(count / 50)
+        simulation.advance(0.006)
+    assert a.position() == together
+
+
+def test_what_needs_the_world_sends_the_steps_that_nobody_read(simulation, exchanges):
+    a = simulation.hardware.joint_motor("a")
+    a.set_effort(2)
+    simulation.pass_unread(5)
+    assert simulation.observation("A") == 2
+    assert (exchanges("StepSimulation"), exchanges("WriteDevices")) == (1, 0)
+    for _ in range(250):
+        simulation.pass_unread(1)
+    assert exchanges("StepSimulation") == 3
+    simulation.pass_unread(1)
+    # Another case forgets them.
+    simulation.prepare({})
+    simulation.catch_up()
+    assert (exchanges("StepSimulation"), simulation.now_ns) == (3, 0)
+
+
+def test_limits_of_several_numbers_together(target, exchanges, tmp_path):
+    (tmp_path / "w.xml").write_text(DRIVE_MJCF)
+    (tmp_path / "w.world.yaml").write_text(DRIVE_YAML)
+    opened = Simulation(target, tmp_path / "w.world.yaml", 1, Stopwatch())
+    opened.prepare({})
+    base = opened.hardware.differential_drive("base")
+    draw = random.Random(1)
+    refused = 0
+    for _ in range(300):
+        linear = draw.choice([draw.uniform(-1.3, 1.3), 1.0, -1.0, 0.9999999999, 0.5])
+        angular = draw.choice([draw.uniform(-5, 5), 0.0, 2.5, -2.5])
+        wheels = [(linear + side * angular * 0.4 / 2) / 0.1 for side in (-1, 1)]
+        if max(map(abs, wheels)) > 10 * (1 + 1e-12):
+            refused += 1
+            with pytest.raises(ValueError, match="wheel in rad/s"):
+                base.drive(linear, angular)
+        else:
+            base.drive(linear, angular)
+            opened.advance(0.002)
+    # At a limit itself the command is sent at once.
+    assert 50 < refused < 250
+    before = exchanges("WriteDevices")
+    base.drive(0.7, 1.0)
+    opened.advance(0.002)
+    assert exchanges("WriteDevices") == before
+    opened.close()

@@ -1,5 +1,6 @@
 #include "simulation/pending_commands.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sitaf::simulation {
@@ -17,6 +18,7 @@ PendingCommands::PendingCommands(const wire::WorldDescription& world) {
     for (const wire::CommandNumber& number : device.commands()) {
       limits_[device.name()][number.name()] = {number.min(), number.max()};
     }
+    bounds_[device.name()].assign(device.bounds().begin(), device.bounds().end());
   }
 }
 
@@ -35,7 +37,8 @@ bool PendingCommands::isAcceptable(const wire::DeviceCommand& command) const {
       }
       return false;
     case wire::DeviceCommand::kDrive:
-      return isWithin(command, "linear", command.drive().linear()) && isWithin(command, "angular", command.drive().angular());
+      return isWithin(command, "linear", command.drive().linear()) && isWithin(command, "angular", command.drive().angular()) &&
+             isInside(command);
     case wire::DeviceCommand::kGripper:
       return isWithin(command, "width", command.gripper().width_m());
     case wire::DeviceCommand::kLevel:
@@ -59,6 +62,18 @@ void PendingCommands::add(wire::DeviceCommand command) {
 PendingCommands::Commands PendingCommands::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(commands_, {});
+}
+
+bool PendingCommands::isInside(const wire::DeviceCommand& command) const {
+  const auto device = bounds_.find(command.device());
+  return device == bounds_.end() || std::all_of(device->second.begin(), device->second.end(), [&](const wire::CommandBound& bound) {
+           const auto factor = [&](const char* name) {
+             const auto found = bound.factors().find(name);
+             return found == bound.factors().end() ? 0.0 : found->second;
+           };
+           const double sum = factor("linear") * command.drive().linear() + factor("angular") * command.drive().angular();
+           return bound.min() <= sum && sum <= bound.max();
+         });
 }
 
 bool PendingCommands::isWithin(const wire::DeviceCommand& command, const char* name, double value) const {

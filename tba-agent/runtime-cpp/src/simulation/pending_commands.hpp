@@ -31,8 +31,11 @@ class PendingCommands {
 
  private:
   bool isWithin(const sim::v1::DeviceCommand& command, const char* name, double value) const;
+  /// Whether the numbers of a drive are together within the limits of its wheels.
+  bool isInside(const sim::v1::DeviceCommand& command) const;
 
   std::map<std::string, std::map<std::string, std::pair<double, double>>, std::less<>> limits_;
+  std::map<std::string, std::vector<sim::v1::CommandBound>, std::less<>> bounds_;
   mutable std::mutex mutex_;
   Commands commands_;
 };

@@ -17,9 +17,10 @@ class SimulationError(Exception):
     """A call to the simulator failed.
 
     `lost` is true when the simulator or the session is lost, so that no further case can run. Otherwise the simulator
-    rejected one request, and the next may succeed.
+    rejected one request, and the next may succeed. `diverged` is true when the simulation of the case has diverged.
     """
 
-    def __init__(self, message: str, *, lost: bool = False) -> None:
+    def __init__(self, message: str, *, lost: bool = False, diverged: bool = False) -> None:
         super().__init__(message)
         self.lost = lost
+        self.diverged = diverged

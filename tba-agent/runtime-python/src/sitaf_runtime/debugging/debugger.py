@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import os
 import pdb
+import select
 import signal
 import socket
 import sys
+from collections.abc import Callable
 from types import FrameType
 from typing import IO, Any
 
 from sitaf_runtime.thrown import is_the_users
 
+# How often to look whether another debugger has attached.
+_POLL_S = 0.1
 _SITAF = ("sitaf_runtime", "sitaf_harness")
 
 
@@ -27,14 +31,17 @@ class ComponentDebugger(pdb.Pdb):
         self._left = False
 
     @classmethod
-    def connected(cls, path: str) -> ComponentDebugger:
-        """Wait until a terminal connects to the socket at a path."""
+    def connected(cls, path: str, attached: Callable[[], bool]) -> ComponentDebugger | None:
+        """Wait until a terminal connects to the socket at a path; None if another debugger has attached before."""
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as listening:
             # Renamed when it accepts connections, so that nobody connects too early.
             early = f"{path}~"
             listening.bind(early)
             listening.listen(1)
             os.rename(early, path)
+            while not select.select([listening], [], [], _POLL_S)[0]:
+                if attached():
+                    return None
             terminal, _ = listening.accept()
         # The terminal sends this signal for Ctrl-C; pdb handles it while the component runs.
         signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -9,11 +9,10 @@ from sitaf_runtime.ros.device_messages import Odometry, command_of, fields_of, t
 from sitaf_runtime.ros.fields import Fields
 from sitaf_runtime.ros.schedule import Publishing, Schedule
 from sitaf_runtime.ros.stub import Stub, free, results_of
+from sitaf_runtime.ros.world import World
 from sitaf_runtime.suite.kinds import INT64
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
-
     from sitaf_runtime.ros.lines import Lines
     from sitaf_runtime.ros.plan import Call, Plan, Topic
 
@@ -27,27 +26,6 @@ _ROS_PARAMETERS = "ros__parameters"
 
 class CallFailedError(Exception):
     """The call under test did not end; the message says why."""
-
-
-class World:
-    """The simulated world, which the process of the test driver advances."""
-
-    def __init__(self, lines: Lines, begun: dict[str, Any]) -> None:
-        self._lines = lines
-        self.timestep_ns: int = begun["timestep_ns"]
-        self.readings: dict[str, dict[str, Any]] = begun["readings"]
-        self.commands: dict[str, list[float]] = {}
-
-    def step(self, steps: int, devices: Collection[str]) -> None:
-        """Send the commands since the last step, advance, and read these devices."""
-        answer = self._lines.ask({"step": steps, "commands": self.commands, "read": sorted(devices)})
-        self.commands = {}
-        for device, numbers in answer["readings"].items():
-            self.readings[device]["numbers"] = numbers
-
-    def look(self, device: str) -> None:
-        """Take an image of a camera."""
-        self.readings[device]["image"] = self._lines.ask({"look": device})["image"]
 
 
 class CaseRun:
@@ -108,11 +86,16 @@ class CaseRun:
         self._called = True
         self._last = {}
         self._count = dict.fromkeys(self._count, 0)
-        self._lines.ask({"called": True})
+        self._measure(True)
         outcome = self._publish(call) if call.target["kind"] == "publish" else self._service(call)
-        self._lines.ask({"returned": True})
+        self._measure(False)
         self._advance(self._system.now_ns + call.run_for_ns)
         return self._record(call, outcome)
+
+    def _measure(self, begins: bool) -> None:
+        if self._world is not None:
+            self._world.measured = begins
+        self._lines.ask({"called" if begins else "returned": True})
 
     def _taken_calls(self) -> list[tuple[str, dict[str, str]]]:
         """The messages and calls since they were last taken."""

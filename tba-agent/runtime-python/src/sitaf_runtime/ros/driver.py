@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
 from sitaf_runtime.driver import SuiteDriver
 from sitaf_runtime.errors import CannotRunError
+from sitaf_runtime.ros.lines import packed
 from sitaf_runtime.ros.node_process import NodeProcess
 from sitaf_runtime.ros.plan import Plan
 from sitaf_runtime.suite.calls import StubCall
@@ -75,6 +76,13 @@ class RosTestDriver(SuiteDriver[object]):
         """Answer what the node's process asks for until it has ended, or has a record or a place for a step."""
         while True:
             message = self._node.next()
+            if simulation is not None and "unread" in message:
+                self._command(message, simulation)
+                simulation.pass_unread(message["unread"])
+                continue
+            if simulation is not None:
+                with self.stopwatch.in_hardware():
+                    simulation.catch_up()
             if any(name in message for name in ("ended", "record", "ready", "stepped")):
                 return message
             self._node.answer(self._answer(message, simulation))
@@ -86,17 +94,21 @@ class RosTestDriver(SuiteDriver[object]):
             self.stopwatch.stop()
         elif simulation is not None and "step" in message:
             with self.stopwatch.in_hardware():
-                for device, (linear, angular) in message["commands"].items():
-                    simulation.hardware.differential_drive(device).drive(linear, angular)
+                self._command(message, simulation)
                 simulation.time.pass_steps(message["step"])
                 wanted = [device for device in self._devices() if device in message["read"]]
-                return {"readings": {device: self._numbers(simulation, device) for device in wanted}}
+                return {"readings": {device: packed(self._numbers(simulation, device)) for device in wanted}}
         elif simulation is not None and "look" in message:
             with self.stopwatch.in_hardware():
                 image = simulation.hardware.camera(message["look"]).image()
             size = {"width": image.width, "height": image.height, "encoding": image.encoding}
             return {"image": {**size, "data": image.data.hex()}}
         return {}
+
+    @staticmethod
+    def _command(message: dict[str, Any], simulation: Simulation) -> None:
+        for device, (linear, angular) in message["commands"].items():
+            simulation.hardware.differential_drive(device).drive(linear, angular)
 
     def _devices(self) -> list[str]:
         """The devices whose numbers the node's process needs."""

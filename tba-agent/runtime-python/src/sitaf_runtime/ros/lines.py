@@ -4,7 +4,21 @@ from __future__ import annotations
 
 import json
 import socket
+from array import array
+from collections.abc import Iterable
 from typing import Any
+
+
+def packed(numbers: Iterable[float]) -> str:
+    """Numbers in a message: a scan has hundreds, of which the decimal digits take longer than all else."""
+    return array("d", numbers).tobytes().hex()
+
+
+def unpacked(text: str) -> list[float]:
+    """The numbers of `packed`."""
+    numbers = array("d")
+    numbers.frombytes(bytes.fromhex(text))
+    return numbers.tolist()
 
 
 class Lines:

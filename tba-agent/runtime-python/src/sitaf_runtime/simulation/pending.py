@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 
@@ -21,6 +21,7 @@ class PendingCommands:
             for device in world.devices
             for number in device.commands
         }
+        self._bounds = {device.name: tuple(device.bounds) for device in world.devices}
         self._commands: list[pb.DeviceCommand] = []
         self._changing = threading.Lock()
 
@@ -33,9 +34,13 @@ class PendingCommands:
         return len(self._commands) >= _MAX_COMMANDS
 
     def is_acceptable(self, command: pb.DeviceCommand) -> bool:
-        """Whether the device is known to accept a command: its numbers are finite and within their limits."""
-        numbers = list(_numbers(command))
-        return bool(numbers) and all(self._is_within(command.device, name, value) for name, value in numbers)
+        """Whether the device is known to accept a command: its numbers are finite and within limits."""
+        numbers = dict(_numbers(command))
+        return (
+            bool(numbers)
+            and all(self._is_within(command.device, name, value) for name, value in numbers.items())
+            and all(_is_inside(bound, numbers) for bound in self._bounds.get(command.device, ()))
+        )
 
     def add(self, command: pb.DeviceCommand) -> None:
         """Add a command that is acceptable."""
@@ -51,6 +56,11 @@ class PendingCommands:
     def _is_within(self, device: str, name: str, value: float) -> bool:
         limits = self._limits.get((device, name))
         return limits is not None and math.isfinite(value) and limits[0] <= value <= limits[1]
+
+
+def _is_inside(bound: pb.CommandBound, numbers: Mapping[str, float]) -> bool:
+    total = sum(factor * numbers.get(name, 0.0) for name, factor in bound.factors.items())
+    return bound.min <= total <= bound.max
 
 
 def _numbers(command: pb.DeviceCommand) -> Iterable[tuple[str, float]]:

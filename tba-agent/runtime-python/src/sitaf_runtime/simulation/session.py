@@ -7,7 +7,7 @@ import sys
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 os.environ.setdefault("GRPC_VERBOSITY", "NONE")
 
@@ -21,25 +21,17 @@ from sitaf_runtime.simulation.hardware import SimulatedHardware
 from sitaf_runtime.simulation.passing_time import PassingTime
 from sitaf_runtime.simulation.pending import PendingCommands
 from sitaf_runtime.simulation.recording import Recording
-from sitaf_runtime.simulation.wire.service import client
+from sitaf_runtime.simulation.wire.connection import CALL_TIMEOUT_S, Connection
 from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 from sitaf_runtime.simulation.world_files import read_world
 from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.suite.test_case import TestCase
 
-_CALL_TIMEOUT_S = 60.0
-_MAX_MESSAGE_BYTES = 256 << 20
 _NANOS = 1_000_000_000
 # Simulation time between two frames of a recording: 50 frames per second.
 _FRAME_NS = 20_000_000
-_REJECTED = (
-    grpc.StatusCode.INVALID_ARGUMENT,
-    grpc.StatusCode.OUT_OF_RANGE,
-    grpc.StatusCode.DATA_LOSS,
-    grpc.StatusCode.RESOURCE_EXHAUSTED,
-    grpc.StatusCode.FAILED_PRECONDITION,
-)
-T = TypeVar("T")
+# Steps that nobody reads are sent when there are so many.
+_MAX_UNREAD = 100
 
 
 class Simulation:
@@ -58,23 +50,14 @@ class Simulation:
         upcoming: Callable[[int], Sequence[TestCase]] = lambda _: (),
         limit_s: float | None = None,
     ) -> None:
-        self._gone: SimulationError | None = None
         description, files = read_world(world_description)
-        self._channel = grpc.insecure_channel(
-            target,
-            options=[
-                ("grpc.enable_http_proxy", 0),
-                ("grpc.max_receive_message_length", _MAX_MESSAGE_BYTES),
-                ("grpc.max_send_message_length", _MAX_MESSAGE_BYTES),
-            ],
-        )
-        self._control: Any = client(self._channel, pb.DESCRIPTOR, "SimulationControl")
-        self._devices: Any = client(self._channel, pb.DESCRIPTOR, "VirtualHardware")
+        self._connection = Connection(target)
+        self._control, self._devices = self._connection.control, self._connection.devices
         request = pb.CreateSessionRequest(world=pb.WorldSource(description=description, files=files), seed=seed)
         try:
-            created = self._ask(f"opening the world {description}", self._control.CreateSession, request)
+            created = self._connection.ask(f"opening the world {description}", self._control.CreateSession, request)
         except SimulationError:
-            self._channel.close()
+            self._connection.close()
             raise
         self._session: str = created.session_id
         self._timestep_ns: int = created.world.timestep_ns
@@ -89,6 +72,11 @@ class Simulation:
             self,
         )
         self._pending = PendingCommands(created.world)
+        # Steps that the simulator gets with the next exchange, each with its commands.
+        self._unread: list[pb.LaterSteps] = []
+        self._keeps_back = False
+        # Commands to real devices are not kept back.
+        self._real_time: bool = created.real_time
         self._ahead = Preparation(self._layout, upcoming, self._prepare_many)
         # The case that the session itself still has to prepare; set while readings come in bulk.
         self._pending_preparation: pb.PrepareRequest | None = None
@@ -140,6 +128,7 @@ class Simulation:
         self._passed_ns = 0
         # The reset would undo them.
         self._pending.take()
+        self._unread = []
         self._time.restart()
         settle_ns = round(settle_s * _NANOS)
         settled_ns = self._time.steps_in(settle_ns) * self._timestep_ns
@@ -192,12 +181,11 @@ class Simulation:
         # A session that only reads prepared worlds does not move, so it could not be recorded.
         self._ahead.stop()
         request = pb.RecordMotionRequest(session_id=self._session, interval_ns=_FRAME_NS)
-        self._ask("recording", self._control.RecordMotion, request)
+        self._connection.ask("recording", self._control.RecordMotion, request)
 
     def require_not_lost(self) -> None:
         """Raise SimulationError when an earlier call found the simulator or the session lost."""
-        if self._gone is not None:
-            raise SimulationError(f"the simulator is gone: {self._gone}", lost=True)
+        self._connection.require_not_lost()
 
     def save_motion(self, no: int) -> None:
         """Save the motion since the case was prepared, unless nothing is recorded or the simulation diverged."""
@@ -205,12 +193,11 @@ class Simulation:
             return
         request = pb.TakeMotionRequest(session_id=self._session)
         try:
-            self._give_pending()
-            taken = self._control.TakeMotion(request, timeout=_CALL_TIMEOUT_S)
-        except grpc.RpcError as e:
-            if _status(e)[0] == grpc.StatusCode.DATA_LOSS:
+            taken = self._ask_at_end(f"taking the recording of case {no}", self._control.TakeMotion, request)
+        except SimulationError as e:
+            if e.diverged:
                 return
-            raise self._failure(f"taking the recording of case {no}", e) from None
+            raise
         self._recording.save(no, taken.gltf)
 
     def case_begins(self, no: int) -> None:
@@ -249,7 +236,9 @@ class Simulation:
         self.send_pending()
         request = pb.SetParametersRequest(session_id=self._session, values={parameter: value})
         what = f"setting {parameter} to {value:g}"
-        self._hardware.world = self._layout.freeze(self._ask(what, self._control.SetParameters, request).state)
+        self._hardware.world = self._layout.freeze(
+            self._connection.ask(what, self._control.SetParameters, request).state
+        )
 
     def keep_signals(self, no: int) -> None:
         """Let the simulator keep the signals of the current case for the agent, if the agent wants signals.
@@ -260,10 +249,18 @@ class Simulation:
             return
         request = pb.KeepSignalsRequest(session_id=self._session, case_no=no, call_time_ns=self._call_ns)
         try:
-            self._give_pending()
-            self._control.KeepSignals(request, timeout=_CALL_TIMEOUT_S)
-        except grpc.RpcError as e:
-            print(f"sitaf: {self._failure(f'keeping the signals of case {no}', e)}", file=sys.stderr)
+            self._ask_at_end(f"keeping the signals of case {no}", self._control.KeepSignals, request)
+        except SimulationError as e:
+            print(f"sitaf: {e}", file=sys.stderr)
+
+    def _ask_at_end(self, what: str, call: Callable[..., Any], request: object) -> Any:
+        """Make a call at the end of a case, after what waits for the next step. Raises SimulationError."""
+        try:
+            self.send_pending()
+        except ValueError as e:
+            # The case has ended, so this is no error of the component.
+            raise SimulationError(f"simulator: {what}: {e}") from None
+        return self._connection.ask(what, call, request)
 
     def close(self) -> None:
         """Delete the session, unless the simulator is lost."""
@@ -274,7 +271,7 @@ class Simulation:
         except grpc.RpcError:
             pass  # The session is no longer needed; its lease expires.
         finally:
-            self._channel.close()
+            self._connection.close()
 
     # Calls of devices to the simulator.
 
@@ -290,56 +287,64 @@ class Simulation:
             self._pending.add(command)
             return
         self.send_pending()
-        try:
-            self._give([command])
-        except grpc.RpcError as e:
-            raise self._rejected(f"commanding {command.device}", e) from None
+        self._give([command], f"commanding {command.device}")
 
     def send_pending(self) -> None:
         """Send the commands that wait for the next step, so that readings show their effect."""
-        try:
-            self._give_pending()
-        except grpc.RpcError as e:
-            raise self._rejected("commanding devices", e) from None
-
-    def _give_pending(self) -> None:
+        self.catch_up()
         if self._pending:
-            self._give(self._pending.take())
+            self._give(self._pending.take(), "commanding devices")
 
-    def _give(self, commands: list[pb.DeviceCommand]) -> None:
+    def _give(self, commands: list[pb.DeviceCommand], what: str) -> None:
         request = pb.WriteDevicesRequest(session_id=self._session, commands=commands)
-        self._hardware.world = self._layout.freeze(self._devices.WriteDevices(request, timeout=_CALL_TIMEOUT_S).state)
-
-    def _rejected(self, what: str, e: grpc.RpcError) -> Exception:
-        """A command that a device rejects is an error of the component, not of the simulator."""
-        code, details = _status(e)
-        if code in (grpc.StatusCode.INVALID_ARGUMENT, grpc.StatusCode.OUT_OF_RANGE):
-            return ValueError(details)
-        return self._failure(what, e)
+        self._hardware.world = self._layout.freeze(
+            self._connection.command(what, self._devices.WriteDevices, request).state
+        )
 
     def look(self, camera: str) -> pb.Reading:
         """Get the current image of a camera."""
         self._update_session()
         self.send_pending()
         request = pb.ReadDevicesRequest(session_id=self._session, devices=[camera])
-        return self._ask(f"reading the camera {camera}", self._devices.ReadDevices, request).state.readings[0]
+        state = self._connection.ask(f"reading the camera {camera}", self._devices.ReadDevices, request).state
+        return state.readings[0]
 
     def wait(self, time_ns: int) -> None:
         """Let simulation time pass, also for a sleep of the component."""
         self._time.let_pass(time_ns)
 
+    def pass_unread(self, steps: int) -> None:
+        """Let time pass by whole steps, in the driver's thread, after which nobody reads the world.
+
+        The simulator gets many such steps in one exchange: `catch_up` must be called before anything is read.
+        """
+        self._keeps_back = not self._real_time
+        try:
+            self._time.pass_steps(steps)
+        finally:
+            self._keeps_back = False
+
     def _step(self, steps: int) -> None:
         self._before_time_passes(self.now_ns)
         self._update_session()
         self._spend(steps * self._timestep_ns)
-        commands = self._pending.take()
-        request = pb.StepSimulationRequest(session_id=self._session, steps=steps, commands=commands)
-        try:
-            state = self._control.StepSimulation(request, timeout=_CALL_TIMEOUT_S).state
-        except grpc.RpcError as e:
-            what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
-            raise (self._rejected(what, e) if commands else self._failure(what, e)) from None
-        self._hardware.world = self._layout.freeze(state)
+        self._unread.append(pb.LaterSteps(steps=steps, commands=self._pending.take()))
+        if not self._keeps_back or len(self._unread) >= _MAX_UNREAD:
+            self.catch_up()
+
+    def catch_up(self) -> None:
+        """Send the steps that nobody read, and get the state after them."""
+        if not self._unread:
+            return
+        (first, *later), self._unread = self._unread, []
+        request = pb.StepSimulationRequest(
+            session_id=self._session, steps=first.steps, commands=first.commands, later=later
+        )
+        steps = sum(each.steps for each in (first, *later))
+        what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
+        commanded = any(each.commands for each in (first, *later))
+        call = self._connection.command if commanded else self._connection.ask
+        self._hardware.world = self._layout.freeze(call(what, self._control.StepSimulation, request).state)
 
     def _spend(self, time_ns: int) -> None:
         self._passed_ns += time_ns
@@ -356,44 +361,21 @@ class Simulation:
     def _prepare(self, request: pb.PrepareRequest) -> None:
         self._pending_preparation = None
         what = "setting " + ", ".join(f"{name} = {value:g}" for name, value in request.parameters.items())
-        self._hardware.world = self._layout.freeze(self._ask(what, self._control.Prepare, request).state)
+        self._hardware.world = self._layout.freeze(self._connection.ask(what, self._control.Prepare, request).state)
 
     def _prepare_many(self, request: pb.PrepareManyRequest) -> pb.PrepareManyResponse | None:
         request.session_id = self._session
         try:
-            return self._control.PrepareMany(request, timeout=_CALL_TIMEOUT_S)
-        except grpc.RpcError as e:
-            if _status(e)[0] in _REJECTED:
-                return None
-            raise self._failure("preparing cases", e) from None
+            return self._connection.ask("preparing cases", self._control.PrepareMany, request)
+        except SimulationError as e:
+            if e.lost:
+                raise
+            return None
 
     def _renew(self) -> None:
         """Renew the lease three times per length, so that it does not expire during a long call of the component."""
         while not self._ended.wait(self._lease_s):
             try:
-                self._control.RenewSession(pb.RenewSessionRequest(session_id=self._session), timeout=_CALL_TIMEOUT_S)
+                self._control.RenewSession(pb.RenewSessionRequest(session_id=self._session), timeout=CALL_TIMEOUT_S)
             except (grpc.RpcError, ValueError):
                 continue  # The next call of the test driver fails in the same way and reports it.
-
-    def _failure(self, what: str, e: grpc.RpcError) -> SimulationError:
-        failure = _failure(what, e)
-        if failure.lost:
-            self._gone = failure
-        return failure
-
-    def _ask(self, what: str, call: Callable[..., Any], request: object) -> Any:
-        try:
-            return call(request, timeout=_CALL_TIMEOUT_S)
-        except grpc.RpcError as e:
-            raise self._failure(what, e) from None
-
-
-def _status(e: grpc.RpcError) -> tuple[grpc.StatusCode, str]:
-    call: Any = e
-    return call.code(), call.details() or ""
-
-
-def _failure(what: str, e: grpc.RpcError) -> SimulationError:
-    code, details = _status(e)
-    reason = f": {details}" if details else ""
-    return SimulationError(f"simulator: {what}: {code.name}{reason}", lost=code not in _REJECTED)

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.sim.v1.CommandBound;
 import org.sitaf.sim.v1.CommandNumber;
 import org.sitaf.sim.v1.DeviceCommand;
 import org.sitaf.sim.v1.DeviceDescription;
@@ -19,6 +20,7 @@ final class PendingCommands {
   private static final int MAX_COMMANDS = 1024;
 
   private final Map<String, Map<String, CommandNumber>> accepted = new HashMap<>();
+  private final Map<String, List<CommandBound>> bounds = new HashMap<>();
   private List<DeviceCommand> commands = new ArrayList<>();
 
   PendingCommands(WorldDescription world) {
@@ -26,6 +28,7 @@ final class PendingCommands {
       Map<String, CommandNumber> numbers = new HashMap<>();
       device.getCommandsList().forEach(number -> numbers.put(number.getName(), number));
       accepted.put(device.getName(), numbers);
+      bounds.put(device.getName(), device.getBoundsList());
     }
   }
 
@@ -41,7 +44,8 @@ final class PendingCommands {
           };
       case DRIVE ->
           isWithin(command, "linear", command.getDrive().getLinear())
-              && isWithin(command, "angular", command.getDrive().getAngular());
+              && isWithin(command, "angular", command.getDrive().getAngular())
+              && isInside(command);
       case GRIPPER -> isWithin(command, "width", command.getGripper().getWidthM());
       case LEVEL -> isWithin(command, "level", command.getLevel() ? 1 : 0);
       case COMMAND_NOT_SET -> false;
@@ -66,6 +70,18 @@ final class PendingCommands {
     List<DeviceCommand> taken = commands;
     commands = new ArrayList<>();
     return taken;
+  }
+
+  /** Whether the numbers of a drive are together within the limits of its wheels. */
+  private boolean isInside(DeviceCommand command) {
+    return bounds.getOrDefault(command.getDevice(), List.of()).stream()
+        .allMatch(
+            bound -> {
+              double sum =
+                  bound.getFactorsOrDefault("linear", 0) * command.getDrive().getLinear()
+                      + bound.getFactorsOrDefault("angular", 0) * command.getDrive().getAngular();
+              return bound.getMin() <= sum && sum <= bound.getMax();
+            });
   }
 
   private boolean isWithin(DeviceCommand command, String name, double value) {

@@ -1,6 +1,5 @@
 package org.sitaf.runtime.simulation;
 
-import io.grpc.ManagedChannel;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import java.io.IOException;
@@ -10,53 +9,29 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
 import java.util.function.LongConsumer;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.Stopwatch;
 import org.sitaf.runtime.simulation.frozen.FrozenWorld;
 import org.sitaf.runtime.simulation.frozen.Preparation;
 import org.sitaf.runtime.suite.TestCase;
-import org.sitaf.sim.v1.CreateSessionRequest;
 import org.sitaf.sim.v1.CreateSessionResponse;
-import org.sitaf.sim.v1.DeleteSessionRequest;
 import org.sitaf.sim.v1.DeviceCommand;
-import org.sitaf.sim.v1.KeepSignalsRequest;
-import org.sitaf.sim.v1.KeepSignalsResponse;
-import org.sitaf.sim.v1.PrepareManyRequest;
-import org.sitaf.sim.v1.PrepareManyResponse;
-import org.sitaf.sim.v1.PrepareRequest;
-import org.sitaf.sim.v1.ReadDevicesRequest;
 import org.sitaf.sim.v1.Reading;
-import org.sitaf.sim.v1.RecordMotionRequest;
-import org.sitaf.sim.v1.RenewSessionRequest;
-import org.sitaf.sim.v1.SetParametersRequest;
-import org.sitaf.sim.v1.SimulationControlGrpc;
-import org.sitaf.sim.v1.SimulationControlGrpc.SimulationControlBlockingStub;
-import org.sitaf.sim.v1.StepSimulationRequest;
-import org.sitaf.sim.v1.TakeMotionRequest;
-import org.sitaf.sim.v1.VirtualHardwareGrpc;
-import org.sitaf.sim.v1.VirtualHardwareGrpc.VirtualHardwareBlockingStub;
+import org.sitaf.sim.v1.RecordMotionResponse;
 import org.sitaf.sim.v1.WorldState;
-import org.sitaf.sim.v1.WriteDevicesRequest;
 
 /**
  * A session of the robot simulator: prepares the virtual environment of each case and advances its
  * time. Every failure is a {@link SimulationException}.
  */
 public final class Simulation implements AutoCloseable {
-  /** Timeout of a call to the simulator; the agent enforces a shorter limit for a case. */
-  private static final Duration CALL_TIMEOUT = Duration.ofMinutes(5);
-
   /** Simulation time between two frames of a recording: 50 frames per second. */
   private static final long FRAME_NANOS = 20_000_000;
 
-  private final SimulatorChannel connection;
-  private final ManagedChannel channel;
-  private final String session;
+  private final SessionConnection connection;
   private final PassingTime time;
   private final SimulatedHardware hardware;
   private final Lease lease;
@@ -65,9 +40,6 @@ public final class Simulation implements AutoCloseable {
   private final PendingCommands pending;
   private final Object acting = new Object();
   private volatile FrozenWorld world;
-
-  /** Why the simulator or the session is lost, so that no result counts; null while they work. */
-  private volatile @Nullable SimulationException loss;
 
   /** The case that the session itself still has to prepare; set while readings come in bulk. */
   private @Nullable Prepared pendingPreparation;
@@ -86,16 +58,12 @@ public final class Simulation implements AutoCloseable {
   private record Prepared(Map<String, Double> parameters, Duration settle, Duration callAfter) {}
 
   private Simulation(
-      SimulatorChannel connection,
-      CreateSessionResponse created,
-      Stopwatch stopwatch,
-      IntFunction<List<TestCase>> upcoming) {
+      SessionConnection connection, Stopwatch stopwatch, IntFunction<List<TestCase>> upcoming) {
+    CreateSessionResponse created = connection.created();
     this.connection = connection;
-    this.channel = connection.channel();
-    this.session = created.getSessionId();
     this.timestepNanos = created.getWorld().getTimestepNs();
     this.time = new PassingTime(timestepNanos, this::step);
-    this.preparation = new Preparation(created, upcoming, this::prepareMany);
+    this.preparation = new Preparation(created, upcoming, connection::prepareMany);
     this.world = FrozenWorld.of(created.getState());
     this.pending = new PendingCommands(created.getWorld());
     this.keepsSignals = created.getKeepsSignals();
@@ -109,7 +77,7 @@ public final class Simulation implements AutoCloseable {
     this.lease =
         new Lease(
             Duration.ofSeconds(created.getLease().getSeconds(), created.getLease().getNanos()),
-            this::renew);
+            connection::renew);
   }
 
   /**
@@ -131,21 +99,9 @@ public final class Simulation implements AutoCloseable {
       Stopwatch stopwatch,
       IntFunction<List<TestCase>> upcoming)
       throws IOException {
-    CreateSessionRequest request =
-        CreateSessionRequest.newBuilder()
-            .setWorld(WorldFiles.read(worldDescription))
-            .setSeed(seed)
-            .build();
-    SimulatorChannel connection = new SimulatorChannel(target);
+    SessionConnection connection = SessionConnection.open(target, worldDescription, seed);
     try {
-      CreateSessionResponse created =
-          callOrThrow(
-              "opening the world " + worldDescription.getFileName(),
-              () -> stub(connection.channel()).createSession(request));
-      if (created.getWorld().getTimestepNs() <= 0) {
-        throw new SimulationException("the simulator reported no timestep");
-      }
-      return new Simulation(connection, created, stopwatch, upcoming);
+      return new Simulation(connection, stopwatch, upcoming);
     } catch (RuntimeException e) {
       connection.close();
       throw e;
@@ -225,10 +181,7 @@ public final class Simulation implements AutoCloseable {
    * @throws SimulationException when they were, with {@link SimulationException#isLost()}
    */
   public void requireNotLost() {
-    SimulationException found = loss;
-    if (found != null) {
-      throw new SimulationException("the simulator is gone: " + found.getMessage(), true, found);
-    }
+    connection.requireNotLost();
   }
 
   /** The simulation time of this session. */
@@ -256,9 +209,8 @@ public final class Simulation implements AutoCloseable {
   public void record(Path folder) throws IOException {
     recording = new Recording(folder);
     preparation.stop();
-    RecordMotionRequest request =
-        RecordMotionRequest.newBuilder().setSessionId(session).setIntervalNs(FRAME_NANOS).build();
-    ask("recording", () -> stub(channel).recordMotion(request));
+    RecordMotionResponse unused =
+        connection.ask("recording", () -> connection.recordMotion(FRAME_NANOS));
   }
 
   /**
@@ -274,13 +226,12 @@ public final class Simulation implements AutoCloseable {
     if (current == null || current.isFull()) {
       return;
     }
-    TakeMotionRequest request = TakeMotionRequest.newBuilder().setSessionId(session).build();
     try {
       give(pending.take());
-      current.save(no, stub(channel).takeMotion(request).getGltf().toByteArray());
+      current.save(no, connection.takeMotion());
     } catch (StatusRuntimeException e) {
       if (e.getStatus().getCode() != Status.Code.DATA_LOSS) {
-        throw rememberLoss(failure("taking the recording of case " + no, e), e);
+        throw connection.lost("taking the recording of case " + no, e);
       }
     }
   }
@@ -322,12 +273,9 @@ public final class Simulation implements AutoCloseable {
   public void set(String parameter, double value) {
     updateSession();
     sendPending();
-    SetParametersRequest request =
-        SetParametersRequest.newBuilder().setSessionId(session).putValues(parameter, value).build();
     freeze(
-        ask(
-            "setting " + parameter + " to " + value,
-            () -> stub(channel).setParameters(request).getState()));
+        connection.ask(
+            "setting " + parameter + " to " + value, () -> connection.set(parameter, value)));
   }
 
   /**
@@ -340,19 +288,12 @@ public final class Simulation implements AutoCloseable {
     if (!keepsSignals) {
       return;
     }
-    KeepSignalsRequest request =
-        KeepSignalsRequest.newBuilder()
-            .setSessionId(session)
-            .setCaseNo(no)
-            .setCallTimeNs(callNanos)
-            .build();
     try {
       give(pending.take());
-      KeepSignalsResponse unused = stub(channel).keepSignals(request);
+      connection.keepSignals(no, callNanos);
     } catch (StatusRuntimeException e) {
-      SimulationException remembered =
-          rememberLoss(failure("keeping the signals of case " + no, e), e);
-      System.err.println("sitaf: " + remembered.getMessage());
+      SimulationException lost = connection.lost("keeping the signals of case " + no, e);
+      System.err.println("sitaf: " + lost.getMessage());
     }
   }
 
@@ -361,36 +302,16 @@ public final class Simulation implements AutoCloseable {
   public void close() {
     lease.close();
     time.end();
-    try {
-      stub(channel).deleteSession(DeleteSessionRequest.newBuilder().setSessionId(session).build());
-    } catch (StatusRuntimeException e) {
-      // The session is no longer needed; its lease expires.
-    } finally {
-      connection.close();
-    }
+    connection.close();
   }
 
   private void prepareSeparately(Prepared prepared) {
-    PrepareRequest request =
-        PrepareRequest.newBuilder()
-            .setSessionId(session)
-            .putAllParameters(prepared.parameters())
-            .setSettleNs(prepared.settle().toNanos())
-            .setCallAfterNs(prepared.callAfter().toNanos())
-            .setCaseNo(caseNo)
-            .build();
     freeze(
-        ask("setting " + prepared.parameters(), () -> stub(channel).prepare(request).getState()));
-  }
-
-  /** Empty when the simulator rejects a case; preparing each case separately reports which one. */
-  private Optional<PrepareManyResponse> prepareMany(PrepareManyRequest cases) {
-    PrepareManyRequest request = cases.toBuilder().setSessionId(session).build();
-    try {
-      return Optional.of(stub(channel).prepareMany(request));
-    } catch (StatusRuntimeException e) {
-      return Optional.empty();
-    }
+        connection.ask(
+            "setting " + prepared.parameters(),
+            () ->
+                connection.prepare(
+                    prepared.parameters(), prepared.settle(), prepared.callAfter(), caseNo)));
   }
 
   /** Brings the session to the state that the readings of the current case show. */
@@ -409,17 +330,11 @@ public final class Simulation implements AutoCloseable {
     beforeStep.accept(world.timeNanos());
     updateSession();
     List<DeviceCommand> commands = pending.take();
-    StepSimulationRequest request =
-        StepSimulationRequest.newBuilder()
-            .setSessionId(session)
-            .setSteps(steps)
-            .addAllCommands(commands)
-            .build();
     try {
-      freeze(stub(channel).stepSimulation(request).getState());
+      freeze(connection.step(steps, commands));
     } catch (StatusRuntimeException e) {
       String what = "advancing by " + steps + " steps";
-      throw commands.isEmpty() ? rememberLoss(failure(what, e), e) : rejectedByDevice(what, e);
+      throw commands.isEmpty() ? connection.lost(what, e) : connection.rejectedByDevice(what, e);
     }
   }
 
@@ -428,7 +343,7 @@ public final class Simulation implements AutoCloseable {
     try {
       give(pending.take());
     } catch (StatusRuntimeException e) {
-      throw rejectedByDevice("commanding devices", e);
+      throw connection.rejectedByDevice("commanding devices", e);
     }
   }
 
@@ -436,13 +351,7 @@ public final class Simulation implements AutoCloseable {
     if (commands.isEmpty()) {
       return;
     }
-    WriteDevicesRequest request =
-        WriteDevicesRequest.newBuilder().setSessionId(session).addAllCommands(commands).build();
-    freeze(devices(channel).writeDevices(request).getState());
-  }
-
-  private void renew() {
-    stub(channel).renewSession(RenewSessionRequest.newBuilder().setSessionId(session).build());
+    freeze(connection.write(commands));
   }
 
   private void freeze(WorldState state) {
@@ -470,7 +379,7 @@ public final class Simulation implements AutoCloseable {
       try {
         give(List.of(command));
       } catch (StatusRuntimeException e) {
-        throw rejectedByDevice("commanding " + command.getDevice(), e);
+        throw connection.rejectedByDevice("commanding " + command.getDevice(), e);
       }
     }
 
@@ -483,75 +392,12 @@ public final class Simulation implements AutoCloseable {
     public Reading look(String camera) {
       updateSession();
       sendPending();
-      ReadDevicesRequest request =
-          ReadDevicesRequest.newBuilder().setSessionId(session).addDevices(camera).build();
-      return ask(
-          "reading the camera " + camera,
-          () -> devices(channel).readDevices(request).getState().getReadings(0));
+      return connection.ask("reading the camera " + camera, () -> connection.read(camera));
     }
 
     @Override
     public void advance(Duration time) {
       Simulation.this.advance(time);
     }
-  }
-
-  /** A command that the device rejects is an error of the component, not of the simulator. */
-  private RuntimeException rejectedByDevice(String what, StatusRuntimeException e) {
-    return switch (e.getStatus().getCode()) {
-      case INVALID_ARGUMENT, OUT_OF_RANGE ->
-          new IllegalArgumentException(String.valueOf(e.getStatus().getDescription()), e);
-      default -> rememberLoss(failure(what, e), e);
-    };
-  }
-
-  private static SimulationControlBlockingStub stub(ManagedChannel channel) {
-    return SimulationControlGrpc.newBlockingStub(channel)
-        .withDeadlineAfter(CALL_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
-  }
-
-  private static VirtualHardwareBlockingStub devices(ManagedChannel channel) {
-    return VirtualHardwareGrpc.newBlockingStub(channel)
-        .withDeadlineAfter(CALL_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
-  }
-
-  private <T> T ask(String what, Supplier<T> call) {
-    try {
-      return call.get();
-    } catch (StatusRuntimeException e) {
-      throw rememberLoss(failure(what, e), e);
-    }
-  }
-
-  private static <T> T callOrThrow(String what, Supplier<T> call) {
-    try {
-      return call.get();
-    } catch (StatusRuntimeException e) {
-      throw failure(what, e);
-    }
-  }
-
-  /** Remembers a loss of the simulator, in case the component catches the exception. */
-  private SimulationException rememberLoss(SimulationException failure, StatusRuntimeException e) {
-    // A component that interrupts its own thread cancels a call; the simulator is still there.
-    if (isLost(e.getStatus()) && !(e.getStatus().getCause() instanceof InterruptedException)) {
-      loss = failure;
-    }
-    return failure;
-  }
-
-  private static SimulationException failure(String what, StatusRuntimeException e) {
-    Status status = e.getStatus();
-    String reason = status.getDescription() == null ? "" : ": " + status.getDescription();
-    return new SimulationException(
-        "simulator: " + what + ": " + status.getCode() + reason, isLost(status), e);
-  }
-
-  private static boolean isLost(Status status) {
-    return switch (status.getCode()) {
-      case INVALID_ARGUMENT, OUT_OF_RANGE, DATA_LOSS, RESOURCE_EXHAUSTED, FAILED_PRECONDITION ->
-          false;
-      default -> true;
-    };
   }
 }

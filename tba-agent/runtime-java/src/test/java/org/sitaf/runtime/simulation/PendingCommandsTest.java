@@ -22,7 +22,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.runtime.Stopwatch;
+import org.sitaf.runtime.actuator.DifferentialDrive;
 import org.sitaf.runtime.actuator.JointMotor;
+import org.sitaf.sim.v1.CommandBound;
 import org.sitaf.sim.v1.CommandNumber;
 import org.sitaf.sim.v1.CreateSessionRequest;
 import org.sitaf.sim.v1.CreateSessionResponse;
@@ -60,6 +62,14 @@ class PendingCommandsTest {
       world.addDevicesBuilder().setName("a").setKind("joint_motor").addCommands(limited);
       world.addDevicesBuilder().setName("b").setKind("joint_motor").addCommands(limited);
       world.addDevices(DeviceDescription.newBuilder().setName("old").setKind("joint_motor"));
+      world
+          .addDevicesBuilder()
+          .setName("base")
+          .setKind("differential_drive")
+          .addCommands(unlimited("linear"))
+          .addCommands(unlimited("angular"))
+          .addBounds(wheel(-2))
+          .addBounds(wheel(2));
       answer(
           out,
           CreateSessionResponse.newBuilder()
@@ -85,6 +95,23 @@ class PendingCommandsTest {
         out.onError(stepRejection.asRuntimeException());
       }
     }
+  }
+
+  private static CommandNumber unlimited(String number) {
+    return CommandNumber.newBuilder()
+        .setName(number)
+        .setMin(Double.NEGATIVE_INFINITY)
+        .setMax(Double.POSITIVE_INFINITY)
+        .build();
+  }
+
+  private static CommandBound wheel(double turning) {
+    return CommandBound.newBuilder()
+        .putFactors("linear", 10)
+        .putFactors("angular", turning)
+        .setMin(-10)
+        .setMax(10)
+        .build();
   }
 
   private final class Devices extends VirtualHardwareGrpc.VirtualHardwareImplBase {
@@ -180,6 +207,17 @@ class PendingCommandsTest {
     simulation.prepare(Map.of(), Duration.ZERO);
     simulation.advance(Duration.ofMillis(2));
     assertThat(exchanges).containsExactly("step 1");
+  }
+
+  @Test
+  void aDriveWaitsForTheTickWhereBothWheelsReachTheirSpeed() {
+    DifferentialDrive base = simulation.hardware().differentialDrive("base");
+    base.drive(0.9, 0.25);
+    assertThat(exchanges).isEmpty();
+    base.drive(0.9, -0.75);
+    base.drive(0.9, 0.75);
+    base.drive(0.9, Double.NaN);
+    assertThat(exchanges).hasSize(4).startsWith("write base=0.0").doesNotContain("step");
   }
 
   private void note(String what, List<DeviceCommand> commands) {
