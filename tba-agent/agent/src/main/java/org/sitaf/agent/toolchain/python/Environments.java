@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileOwnerAttributeView;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.nio.file.attribute.UserPrincipal;
+import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -47,9 +48,13 @@ final class Environments {
 
   private static final int MAX_FILES = 300_000;
 
+  /** Some thirty environments with numerical packages. */
+  private static final long MAX_BYTES = 4L << 30;
+
   private final Interpreter interpreter;
   private final Path runtime;
   private final SharedCache cache;
+  private final KeptEnvironments kept;
   private final PipSettings settings;
 
   /** One build creates an environment; other builds that need the same one wait. */
@@ -59,6 +64,7 @@ final class Environments {
     this.interpreter = interpreter;
     this.runtime = runtime;
     this.cache = new SharedCache(cache);
+    this.kept = new KeptEnvironments(this.cache, MAX_BYTES, Clock.systemUTC());
     this.settings = settings;
   }
 
@@ -109,6 +115,7 @@ final class Environments {
     String key = Sha256.hex(held.toString().getBytes(StandardCharsets.UTF_8));
     String name = key.substring(0, 24);
     if (Files.isDirectory(cache.entry(name))) {
+      kept.use(name);
       return cache.entry(name).resolve(ENVIRONMENT);
     }
     Lock lock = locks.computeIfAbsent(name, unused -> new ReentrantLock());
@@ -127,8 +134,10 @@ final class Environments {
           List<ResolvedPackage> packages = create(fresh, requirements, tools);
           takeOwnership(fresh, requirements);
           EnvironmentPackages.write(draft.folder(), packages);
+          KeptEnvironments.measure(draft.folder());
           draft.addAs(name);
         }
+        kept.shrink();
       }
       return cache.entry(name).resolve(ENVIRONMENT);
     } finally {

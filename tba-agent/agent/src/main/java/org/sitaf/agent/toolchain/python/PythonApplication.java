@@ -4,7 +4,9 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,6 +26,7 @@ import org.sitaf.core.verdict.Coverage;
  *
  * @param environment holds the packages of the component and the runtime
  * @param path folders of modules
+ * @param sources those that are copies of folders of the activity, with their paths there
  * @param entryPoint the module of the concrete test driver
  * @param prefixes folders of Python's own library
  * @param packages those of the environment
@@ -32,6 +35,7 @@ import org.sitaf.core.verdict.Coverage;
 record PythonApplication(
     Path environment,
     List<Path> path,
+    Map<Path, String> sources,
     String entryPoint,
     List<Path> prefixes,
     List<ResolvedPackage> packages,
@@ -46,6 +50,7 @@ record PythonApplication(
 
   PythonApplication {
     path = List.copyOf(path);
+    sources = Collections.unmodifiableMap(new LinkedHashMap<>(sources));
     packages = List.copyOf(packages);
     prefixes = List.copyOf(prefixes);
   }
@@ -86,7 +91,7 @@ record PythonApplication(
 
   @Override
   public Debuggee debuggee(DebugPlace place, long pid) {
-    return new PythonDebuggee(place, Environments.python(environment));
+    return new PythonDebuggee(place, Environments.python(environment), sources);
   }
 
   @Override

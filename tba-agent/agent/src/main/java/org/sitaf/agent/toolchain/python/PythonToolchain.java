@@ -165,15 +165,16 @@ public final class PythonToolchain implements Toolchain {
       throws CompilationException, InterruptedException, IOException {
     ActivityProfile profile = compilation.application().activity().profile();
     Map<String, String> roots = roots(profile);
+    Map<Path, String> sources = new java.util.LinkedHashMap<>();
+    roots.forEach((source, folder) -> sources.put(compilation.output().resolve(folder), source));
     List<Path> path = new ArrayList<>();
     path.add(compilation.output().resolve(HARNESS));
-    for (String folder : roots.values()) {
-      path.add(compilation.output().resolve(folder));
-    }
+    path.addAll(sources.keySet());
     Path environment = environment(compilation);
     return new PythonApplication(
         environment,
         path,
+        sources,
         compilation.application().entryPoint(),
         interpreter.prefixes(),
         environments.packages(environment),
