@@ -1,6 +1,6 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { readModel, writeModel } from '@/features/models/xml';
+import { readModel, writeModel } from '@/features/models/document';
 
 const SCHEMA = readFileSync(
   '../schemas/src/main/resources/org/sitaf/schemas/test_model.xsd',
@@ -87,7 +87,7 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
         <number>false</number>
         <special_char>true</special_char>
         <space>false</space>
-        <negative_char_list>&lt;&quot; &gt;</negative_char_list>
+        <negative_char_list>&lt;" &gt;</negative_char_list>
       </test_spec>
     </test_element>
   </input_spec_list>
@@ -105,7 +105,43 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
       <tolerance ulp="2"/>
     </test_element>
   </output_spec_list>
-  <sequence_spec length="6" order="2" repeat="false" threads="1"><state name="on" type="boolean" initial="false"/><call name="Go" method="Move" signature="double,int" settle="0.1" run_for="0.2" overlap="false"><guard>on</guard><update state="on">false</update><forbidden>!error:Off</forbidden></call><event name="Slips" set="Friction" to="0.1"><guard>on</guard><update state="on">false</update></event></sequence_spec>
+  <sequence_spec length="6" order="2" repeat="false" threads="1">
+    <state name="on" type="boolean" initial="false"/>
+    <state name="note" type="string" initial=""/>
+    <call name="Go" method="Move" signature="double,int" settle="0.1" run_for="0.2" overlap="false">
+      <guard>on &amp;&amp; step &lt; 5</guard>
+      <update state="on">false</update>
+      <update state="note">"gone"</update>
+      <forbidden>!error:Off</forbidden>
+      <pre_condition_spec_list>
+        <pre_condition>far &gt; 0.0</pre_condition>
+      </pre_condition_spec_list>
+      <input_spec_list>
+        <test_element abstract_type="NUMERIC" real_type="double">
+          <name>far</name>
+          <type>TDI</type>
+          <user_value_list>
+            <value> 1</value>
+          </user_value_list>
+        </test_element>
+      </input_spec_list>
+      <output_spec_list>
+        <test_element abstract_type="NUMERIC" real_type="double">
+          <name>return</name>
+          <type>RETURN</type>
+          <expected>far</expected>
+        </test_element>
+      </output_spec_list>
+      <post_condition_spec_list>
+        <post_condition name="moved">actual &gt; 0.0</post_condition>
+      </post_condition_spec_list>
+    </call>
+    <call name="Stop"/>
+    <event name="Slips" set="Friction" to="0.1">
+      <guard>on</guard>
+      <update state="on">false</update>
+    </event>
+  </sequence_spec>
   <post_condition_spec_list>
     <post_condition name="moves on">actual &gt;= 0.0</post_condition>
   </post_condition_spec_list>
@@ -215,12 +251,26 @@ test('a distribution may be an element with ranges', () => {
 });
 
 test('comments stay where they are', () => {
-  const xml = COMPLETE.replace('&lt;&quot; &gt;', '&lt;" &gt;')
-    .replace('  <input_spec_list>', '  <!-- what varies -->\n  <input_spec_list>')
+  const xml = COMPLETE.replace('  <input_spec_list>', '  <!-- what varies -->\n  <input_spec_list>')
     .replace('      <name>mode</name>', '      <!-- 0: idle -->\n      <name>mode</name>')
     .replace('  </input_spec_list>', '    <!-- no more inputs -->\n  </input_spec_list>')
     .replace('</test_model>', '  <!-- the end -->\n</test_model>');
   expect(writeModel(readModel(xml))).toBe(xml);
+});
+
+test('comments of a sequence stay where they are', () => {
+  const xml = COMPLETE.replace(
+    '    <state name="on"',
+    '    <!-- remembered -->\n    <state name="on"',
+  )
+    .replace('      <guard>on &amp;', '      <!-- a guess -->\n      <guard>on &amp;')
+    .replace('  </sequence_spec>', '    <!-- no more steps -->\n  </sequence_spec>');
+  expect(writeModel(readModel(xml))).toBe(xml);
+});
+
+test('a call without a name has that of its method', () => {
+  const xml = COMPLETE.replace('<call name="Stop"/>', '<call method="Stop"/>');
+  expect(writeModel(readModel(xml))).toBe(COMPLETE);
 });
 
 test('a comment of a removed element moves to the element around it', () => {
@@ -244,4 +294,41 @@ test('the spellings of the paper are read', () => {
 test('text of other documents is refused', () => {
   expect(() => readModel('<suite/>')).toThrow('not a test model');
   expect(() => readModel('<test_model>')).toThrow('not a test model');
+});
+
+/** The models of the examples: files whose root is a test model. */
+const EXAMPLES = readdirSync('../examples', { recursive: true, encoding: 'utf8' })
+  .filter((path) => path.endsWith('.xml'))
+  .map((path) => ({ path, xml: readFileSync(`../examples/${path}`, 'utf8') }))
+  .filter(({ xml }) => /<test_model[\s>]/.test(xml));
+
+/** An element without insignificant spaces, comments, the order of attributes and defaults. */
+function contentOf(element: Element): unknown {
+  const children = [...element.children];
+  // Guard, updates and outcome of a step may have any order.
+  if (/^(call|event)$/.test(element.tagName)) {
+    children.sort((a, b) => a.tagName.localeCompare(b.tagName));
+  }
+  const inner = children.map(contentOf);
+  const own = [...element.attributes].map(({ name, value }) => `${name}=${value}`).sort();
+  return [element.tagName, own, inner.length > 0 ? inner : element.textContent.trim()];
+}
+
+test.each(EXAMPLES)('the model $path of the examples survives the editor', ({ xml }) => {
+  const settings = /^(offset|representatives|count|min|max|special)$/;
+  const written = parse(writeModel(readModel(xml)));
+  const given = parse(xml);
+  for (const element of [given, written]) {
+    // These may be elements or attributes; the editor writes attributes.
+    for (const spec of element.querySelectorAll('test_spec')) {
+      for (const child of [...spec.children]) {
+        if (!settings.test(child.tagName)) continue;
+        spec.setAttribute(child.tagName, child.textContent);
+        child.remove();
+      }
+    }
+  }
+  const parts = (root: Element) =>
+    [...root.children].map(contentOf).filter((part) => !/,,$/.test(String(part)));
+  expect(parts(written)).toEqual(expect.arrayContaining(parts(given)));
 });

@@ -2,7 +2,7 @@ import { screen, waitFor, within } from '@testing-library/react';
 import { describe, expect, test } from 'vitest';
 import { argumentsOf, draftFor, stubInputs, worldInputs } from '@/features/models/defaults';
 import { withModel } from '@/features/models/profile';
-import { readModel, writeModel } from '@/features/models/xml';
+import { readModel, writeModel } from '@/features/models/document';
 import type { ActivityDescription } from '@/shared/api';
 import { eachWithServer } from './support/eachWithServer';
 import type { FakeServer } from './support/FakeServer';

@@ -102,3 +102,56 @@ def test_the_exports_have_a_line_for_each_step(page, build):
     report = result_of(page, build, "/report").text()
     assert f'{first + 1}</td><td class="FAIL">FAIL</td>' in report
     assert "forbidden" in report
+
+
+def test_states_and_calls_are_edited_beside_their_diagram(page, build):
+    """The guard of a new call, the state that it needs, and the diagram that follows."""
+    page.get_by_role("link", name="Activities", exact=True).click()
+    page.get_by_role("link", name="ir-sensor-states-faulty").first.click()
+    page.get_by_role("link", name="Edit LifeCycle").first.click()
+    diagram = page.get_by_role("group", name="Diagram of the states", exact=True)
+    expect(diagram.get_by_role("button")).to_have_count(8)
+    steps = page.get_by_role("list", name="Steps from enabled=false, near=false, dropped=false")
+    expect(steps).to_contain_text("Read is forbidden, and made in invalid cases")
+
+    page.get_by_role("button", name="Add a state").click()
+    page.get_by_label("Name of state 4").fill("read")
+    page.get_by_role("button", name="Change a state by Read").click()
+    change = page.get_by_label("State 1 that Read changes")
+    change.select_option("read")
+    # The state is used, and doubles the diagram.
+    guard = page.get_by_label("Guard of Disable", exact=True)
+    guard.click()
+    page.keyboard.type("enabled || read")
+    expect(diagram.get_by_role("button").first).to_contain_text("read=false")
+    assert diagram.get_by_role("button").count() > 8
+    page.get_by_role("button", name="Remove call Read").scroll_into_view_if_needed()
+    shot(page, "edit-sequence")
+    assert serious(page) == []
+
+    guard.click()
+    page.keyboard.type(" && nothing")
+    table = page.get_by_role("table", name="Calls and events")
+    expect(table).to_contain_text("nothing")
+    expect(page.get_by_role("status").filter(has_text="problem")).to_be_visible()
+
+
+def test_a_new_model_of_sequences_is_proposed_and_generated(page, build):
+    page.get_by_role("link", name="Activities", exact=True).click()
+    page.get_by_role("link", name="ir-sensor-states-faulty").first.click()
+    page.get_by_role("link", name="New test model").click()
+    page.get_by_text("A sequence of calls in a case").click()
+    expect(page.get_by_label("Name of state 1")).to_have_value("enabled")
+    page.get_by_role("button", name="Parameters").click()
+    page.get_by_role("group", name="Inputs of GetInfraredData").wait_for()
+    page.get_by_role("button", name="Values of each parameter").click()
+    page.get_by_role("region", name="Specification of IndexOfSensor of GetInfraredData").wait_for()
+    page.get_by_role("button", name="Combination and").click()
+    expect(page.get_by_role("status").filter(has_text="cases:")).to_be_visible()
+    shot(page, "edit-sequence-expected")
+    assert serious(page) == []
+    page.get_by_role("button", name="Generate test cases").click()
+    page.get_by_role("heading", name=re.compile("Sequences")).first.wait_for()
+    page.get_by_role("button", name=re.compile("GetInfraredData")).first.click()
+    expect(page.get_by_role("dialog").get_by_role("table", name="Steps")).to_be_visible()
+    assert serious(page) == []

@@ -82,8 +82,14 @@ function Cases({ suite }: { suite: Suite }) {
       </Stack>
     );
   }
-  const outputs = readModel(model.data.document).outputs.map(({ name }) => name);
-  return <CaseGrid suite={suite} outputs={outputs} />;
+  const { outputs, sequence } = readModel(model.data.document);
+  return (
+    <CaseGrid
+      suite={suite}
+      outputs={outputs.map(({ name }) => name)}
+      sequences={sequence !== null}
+    />
+  );
 }
 
 function Head({ suite }: { suite: Suite }) {

@@ -1,7 +1,8 @@
-import { Alert, Code, Group, Radio, Stack, Text, TextInput } from '@mantine/core';
+import { Radio, Stack, Text } from '@mantine/core';
 import { UserText } from '@/shared/ui';
 import type { Description } from './defaults';
-import type { ModelDraft } from './draft';
+import type { ModelDraft } from './document';
+import { ModelName } from './ModelName';
 
 interface MethodStepProps {
   description: Description;
@@ -25,19 +26,6 @@ export function MethodStep({ description, draft, isNew, onChange, onMethod }: Me
       )
       .map((method) => keyOf(name, method.name, method.signature)),
   )[0];
-  if (draft.sequence !== '') {
-    return (
-      <Alert variant="outline" title="This model describes sequences of calls">
-        <Stack gap="sm">
-          <Text size="sm">
-            States, calls and events are edited in the XML document. They are shown here and kept
-            when you save.
-          </Text>
-          <Code block>{draft.sequence}</Code>
-        </Stack>
-      </Alert>
-    );
-  }
   return (
     <Stack gap="lg">
       <Radio.Group
@@ -74,45 +62,7 @@ export function MethodStep({ description, draft, isNew, onChange, onMethod }: Me
           ))}
         </Stack>
       </Radio.Group>
-      <Group align="start" grow>
-        <TextInput
-          label="Name of the test model"
-          description={
-            isNew ? 'Letters, digits, ., _ and -' : 'Suites and builds refer to this name'
-          }
-          value={draft.name}
-          readOnly={!isNew}
-          onChange={(event) => {
-            onChange({ ...draft, name: event.currentTarget.value });
-          }}
-        />
-        <TextInput
-          label="Description"
-          description="What the model tests"
-          value={draft.description}
-          onChange={(event) => {
-            onChange({ ...draft, description: event.currentTarget.value });
-          }}
-        />
-      </Group>
-      <Group align="start" grow>
-        <TextInput
-          label="Settling time before the call (s)"
-          placeholder="0"
-          value={target.settle}
-          onChange={(event) => {
-            onChange({ ...draft, target: { ...target, settle: event.currentTarget.value } });
-          }}
-        />
-        <TextInput
-          label="Run time after the call (s)"
-          placeholder="0"
-          value={target.runFor}
-          onChange={(event) => {
-            onChange({ ...draft, target: { ...target, runFor: event.currentTarget.value } });
-          }}
-        />
-      </Group>
+      <ModelName draft={draft} isNew={isNew} onChange={onChange} />
     </Stack>
   );
 }

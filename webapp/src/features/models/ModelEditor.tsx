@@ -1,16 +1,16 @@
-import { Alert, Button, Group, Stack, Stepper, Text } from '@mantine/core';
+import { Alert, Button, Group, SegmentedControl, Stack, Stepper, Text } from '@mantine/core';
 import { useMemo, useState } from 'react';
 import { ApiError, type Activity } from '@/shared/api';
 import { plural } from '@/shared/lib/format';
 import { ProblemAlert } from '@/shared/ui';
-import { draftFor, outputsOf, argumentsOf, type Description } from './defaults';
-import type { ModelDraft } from './draft';
+import { argumentsOf, draftFor, freeName, outputsOf, type Description } from './defaults';
+import { readModel, writeModel, type ModelDraft } from './document';
 import { MethodStep } from './MethodStep';
 import { OrderStep } from './OrderStep';
 import { ParametersStep } from './ParametersStep';
-import { usePreview, useSaveModel } from './queries';
-import { SpecificationStep } from './SpecificationStep';
-import { writeModel } from './xml';
+import { usePreview, useSaveModel, useSequenceProposal } from './queries';
+import { SequenceStep } from './sequence';
+import { SpecificationStep } from './values';
 
 interface ModelEditorProps {
   activity: Activity;
@@ -46,6 +46,7 @@ export function ModelEditor({
   const document = useMemo(() => writeModel(draft), [draft]);
   const preview = usePreview(activity.id, document, step === LAST_STEP);
   const save = useSaveModel(activity, savedAs);
+  const proposal = useSequenceProposal(activity.id);
   const changed = document !== saved;
   const method = description.provided
     .filter(({ name }) => draft.target.interface === '' || name === draft.target.interface)
@@ -76,6 +77,19 @@ export function ModelEditor({
     });
   }
 
+  /** Begins a model of sequences with what the names of the methods tell. */
+  function propose(interfaceName: string) {
+    const name = freeName('Sequences', namesOf(activity));
+    proposal.mutate(
+      { interfaceName: interfaceName || (description.provided[0]?.name ?? ''), name },
+      {
+        onSuccess: (document) => {
+          setDraft(readModel(document));
+        },
+      },
+    );
+  }
+
   function saveThen(then: (model: string) => void) {
     save.mutate(
       { name: draft.name, document, version },
@@ -94,12 +108,44 @@ export function ModelEditor({
   return (
     <Stack gap="lg">
       <Stepper active={step} onStepClick={setStep} size="sm">
-        <Stepper.Step label="Method" description="to test" />
+        {draft.sequence ? (
+          <Stepper.Step label="Sequence" description="of calls and events" />
+        ) : (
+          <Stepper.Step label="Method" description="to test" />
+        )}
         <Stepper.Step label="Parameters" description="to vary" />
         <Stepper.Step label="Values" description="of each parameter" />
         <Stepper.Step label="Combination" description="and expected values" />
       </Stepper>
-      {step === 0 && (
+      {step === 0 && savedAs === undefined && (
+        <SegmentedControl
+          aria-label="What a case does"
+          value={draft.sequence ? 'sequence' : 'call'}
+          data={[
+            { value: 'call', label: 'One call in a case' },
+            { value: 'sequence', label: 'A sequence of calls in a case' },
+          ]}
+          onChange={(kind) => {
+            if (kind === 'sequence') propose(draft.target.interface);
+            else setDraft(firstDraft(activity, description));
+          }}
+        />
+      )}
+      {proposal.isError && (
+        <ProblemAlert title="No sequence could be proposed" error={proposal.error} />
+      )}
+      {step === 0 && draft.sequence && (
+        <SequenceStep
+          description={description}
+          draft={draft}
+          sequence={draft.sequence}
+          isNew={savedAs === undefined}
+          preview={preview.data}
+          onChange={setDraft}
+          onInterface={propose}
+        />
+      )}
+      {step === 0 && !draft.sequence && (
         <MethodStep
           description={description}
           draft={draft}
@@ -220,7 +266,7 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     order: '2',
     maxCases: '',
     timing: null,
-    sequence: '',
+    sequence: null,
     strengths: [],
     others: [],
     comments: [],

@@ -1,5 +1,6 @@
 import { Checkbox, Stack, Text } from '@mantine/core';
 import { Section, UserText } from '@/shared/ui';
+import { CallInputs } from './sequence';
 import {
   argumentsOf,
   faultInputs,
@@ -9,7 +10,7 @@ import {
   type Description,
   type Method,
 } from './defaults';
-import { INPUT_KINDS, type ModelDraft } from './draft';
+import { INPUT_KINDS, type ModelDraft } from './document';
 
 /** The parts of a fault's name. */
 const TIMES = ['.at', '.for', '.value'];
@@ -24,11 +25,15 @@ interface ParametersStepProps {
 /** Step 2 (Fig. 14(b)): the parameters to vary. */
 export function ParametersStep({ description, method, draft, onChange }: ParametersStepProps) {
   const groups = [
-    {
-      title: 'Method inputs (TDI)',
-      none: 'The method has no inputs.',
-      candidates: method ? argumentsOf(method) : [],
-    },
+    ...(draft.sequence
+      ? []
+      : [
+          {
+            title: 'Method inputs (TDI)',
+            none: 'The method has no inputs.',
+            candidates: method ? argumentsOf(method) : [],
+          },
+        ]),
     {
       title: 'Simulation parameters (TDSD)',
       none: 'The world declares no parameters.',
@@ -65,6 +70,21 @@ export function ParametersStep({ description, method, draft, onChange }: Paramet
 
   return (
     <Stack gap="lg">
+      {draft.sequence && (
+        <CallInputs
+          description={description}
+          interfaceName={draft.target.interface}
+          sequence={draft.sequence}
+          onChange={(sequence) => {
+            onChange({ ...draft, sequence });
+          }}
+        />
+      )}
+      {draft.sequence && (
+        <Text size="sm" c="dimmed">
+          The following parameters have their values from the beginning of a case.
+        </Text>
+      )}
       {groups.map(({ title, none, candidates }) => (
         <Section key={title} title={title}>
           {candidates.length === 0 ? (

@@ -1,5 +1,5 @@
 import type { ActivityDescription } from '@/shared/api';
-import type { InputDraft, ModelDraft, OutputDraft, Scheme, SpecDraft } from './draft';
+import type { InputDraft, ModelDraft, OutputDraft, Scheme, SpecDraft } from './document';
 
 export type Description = ActivityDescription;
 export type Method = Description['provided'][number]['methods'][number];
@@ -228,7 +228,7 @@ export function draftFor(
     order: '2',
     maxCases: '',
     timing: null,
-    sequence: '',
+    sequence: null,
     strengths: [],
     others: [],
     comments: [],
@@ -256,11 +256,12 @@ export function outputsOf(method: Method): OutputDraft[] {
   ];
 }
 
-function freeName(wanted: string, taken: readonly string[]): string {
+/** A name that is not taken: the wanted one, or one with a number. */
+export function freeName(wanted: string, taken: readonly string[], separator = '-'): string {
   if (!taken.includes(wanted)) return wanted;
   let number = 2;
-  while (taken.includes(`${wanted}-${number}`)) number++;
-  return `${wanted}-${number}`;
+  while (taken.includes(`${wanted}${separator}${number}`)) number++;
+  return `${wanted}${separator}${number}`;
 }
 
 function round(value: number): number {

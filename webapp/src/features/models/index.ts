@@ -1,3 +1,3 @@
 export { ModelEditor } from './ModelEditor';
 export { useModelDocument } from './queries';
-export { readModel } from './xml';
+export { readModel } from './document';

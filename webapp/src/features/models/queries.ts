@@ -47,6 +47,20 @@ export function usePreview(activityId: string, document: string, cases: boolean)
   });
 }
 
+/** A first model of sequences for an interface of the activity. */
+export function useSequenceProposal(activityId: string) {
+  const api = useApi();
+  return useMutation({
+    mutationFn: ({ interfaceName, name }: { interfaceName: string; name: string }) =>
+      dataOf(
+        api.GET('/api/v1/activities/{id}/proposals/sequences', {
+          params: { path: { id: activityId }, query: { interface: interfaceName, name } },
+          parseAs: 'text',
+        }),
+      ),
+  });
+}
+
 export interface SavedModel {
   name: string;
   document: string;

@@ -1,23 +1,21 @@
-import { Group, Stack, Table, Text } from '@mantine/core';
+import { Stack, Table, Text } from '@mantine/core';
 import { useMemo, useState, type ReactNode } from 'react';
 import { formatCount, plural } from '@/shared/lib/format';
-import { Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import {
-  BOX_WIDTH,
+  COVERAGE_LABELS,
   coverageOf,
   layoutOf,
-  type Coverage,
-  type Layout,
+  Loading,
+  ProblemAlert,
+  ScrollTable,
+  StatesLegend,
+  StatesView,
+  UserText,
   type Transition,
-} from './layout';
+} from '@/shared/ui';
 import { useStateDiagram } from './queries';
-import classes from './states.module.css';
 
-const LABELS: Record<Coverage, string> = {
-  passed: 'executed, passed',
-  failed: 'failed',
-  missing: 'allowed, not executed',
-};
+const SHOWN = ['passed', 'failed', 'missing'] as const;
 
 interface StateDiagramViewProps {
   buildId: string;
@@ -43,24 +41,8 @@ export function StateDiagramView({ buildId, caseLink }: StateDiagramViewProps) {
         {!data.complete && 'The model has more; the diagram shows the first ones. '}
         Select a state to see its steps.
       </Text>
-      <Group gap="lg" aria-label="Legend" role="group">
-        {(Object.keys(LABELS) as Coverage[]).map((coverage) => (
-          <Text key={coverage} size="sm">
-            <svg width="34" height="10" aria-hidden>
-              <line
-                x1="0"
-                x2="34"
-                y1="5"
-                y2="5"
-                className={classes.arrow}
-                data-coverage={coverage}
-              />
-            </svg>{' '}
-            {LABELS[coverage]}
-          </Text>
-        ))}
-      </Group>
-      <Diagram layout={layout} shown={shown} onState={setChosen} />
+      <StatesLegend shown={SHOWN} />
+      <StatesView layout={layout} shown={shown} onState={setChosen} />
       <Steps
         title={`Steps from ${data.states[shown]?.name ?? ''}`}
         transitions={data.transitions.filter(({ from }) => from === shown)}
@@ -68,78 +50,6 @@ export function StateDiagramView({ buildId, caseLink }: StateDiagramViewProps) {
         caseLink={caseLink}
       />
     </Stack>
-  );
-}
-
-interface DiagramProps {
-  layout: Layout;
-  /** Index of the selected state. */
-  shown: number;
-  onState: (index: number) => void;
-}
-
-function Diagram({ layout: { boxes, arrows, width, height }, shown, onState }: DiagramProps) {
-  // The arrows of the selected state and those that failed are on top.
-  const rank = ({ from, coverage }: (typeof arrows)[number]) =>
-    (from === shown ? 2 : 0) + (coverage === 'failed' ? 1 : 0);
-  return (
-    <div className={classes.frame} tabIndex={0} role="group" aria-label="Diagram of the states">
-      <svg width={width} height={height} viewBox={`0 0 ${width} ${height}`}>
-        <defs>
-          <marker
-            id="state-arrow"
-            viewBox="0 0 8 8"
-            refX="7"
-            refY="4"
-            markerWidth="7"
-            markerHeight="7"
-            orient="auto-start-reverse"
-          >
-            <path d="M 0 0 L 8 4 L 0 8 z" fill="context-stroke" />
-          </marker>
-        </defs>
-        {arrows
-          .toSorted((a, b) => rank(a) - rank(b))
-          .map(({ from, to, coverage, path, transitions }) => (
-            <path
-              key={`${from} ${to}`}
-              d={path}
-              className={classes.arrow}
-              data-coverage={coverage}
-              data-shown={from === shown || undefined}
-              markerEnd="url(#state-arrow)"
-            >
-              <title>{transitions.map(({ step }) => step).join(', ')}</title>
-            </path>
-          ))}
-        {boxes.map(({ index, lines, x, y, height: own, coverage }) => (
-          <g
-            key={index}
-            className={classes.state}
-            data-coverage={coverage}
-            data-shown={index === shown || undefined}
-            role="button"
-            tabIndex={0}
-            aria-description={LABELS[coverage]}
-            aria-pressed={index === shown}
-            onClick={() => {
-              onState(index);
-            }}
-            onKeyDown={({ key }) => {
-              if (key === 'Enter' || key === ' ') onState(index);
-            }}
-          >
-            <rect x={x - BOX_WIDTH / 2} y={y - own / 2} width={BOX_WIDTH} height={own} rx="8" />
-            {lines.map((line, at) => (
-              <text key={at} x={x} y={y - own / 2 + 20 + at * 16} textAnchor="middle">
-                {line.length > 22 ? `${line.slice(0, 21)}…` : line}
-                {at < lines.length - 1 && ', '}
-              </text>
-            ))}
-          </g>
-        ))}
-      </svg>
-    </div>
   );
 }
 
@@ -177,7 +87,7 @@ function Steps({ title, transitions, nameOf, caseLink }: StepsProps) {
                   {kind === 'FORBIDDEN' && ' (forbidden)'}
                   {kind === 'INVALID' && ' (invalid value)'}
                 </Table.Td>
-                <Table.Td>{LABELS[coverageOf(transition)]}</Table.Td>
+                <Table.Td>{COVERAGE_LABELS[coverageOf(transition)]}</Table.Td>
                 <Table.Td ta="right">{formatCount(passed)}</Table.Td>
                 <Table.Td ta="right">{formatCount(failed)}</Table.Td>
                 <Table.Td>

@@ -8,6 +8,8 @@ import { Loading, ProblemAlert, UserText, useVirtualPages } from '@/shared/ui';
 import { Conflict } from './Conflict';
 import { GridTools } from './GridTools';
 import { CASES_PER_PAGE, useFetchCases, type ExpectedChange } from './queries';
+import { StepDrawer } from './StepDrawer';
+import { StepSummary } from './StepSummary';
 import classes from './suites.module.css';
 import { cellKey, useEdits, type Edits } from './useEdits';
 
@@ -17,10 +19,12 @@ interface CaseGridProps {
   suite: Suite;
   /** Names of the outputs of the suite's test model. */
   outputs: readonly string[];
+  /** Whether the cases are sequences of steps. */
+  sequences?: boolean;
 }
 
 /** The cases of a suite (Fig. 15) with their expected values, which can be edited. */
-export function CaseGrid({ suite, outputs }: CaseGridProps) {
+export function CaseGrid({ suite, outputs, sequences = false }: CaseGridProps) {
   const edits = useEdits(suite);
   const fetched = useFetchCases(suite.id);
   const { scroller, rows, above, below, error, loading, scrollTo } = useVirtualPages<SuiteCase>({
@@ -31,11 +35,12 @@ export function CaseGrid({ suite, outputs }: CaseGridProps) {
   });
   const groups = groupColumns(suite.parameters);
   const paste = usePaste(fetched, suite, outputs, edits);
+  const [opened, setOpened] = useState<SuiteCase | null>(null);
 
   if (loading && rows.every(({ item }) => !item)) return <Loading what="test cases" />;
   return (
     <Stack gap="sm">
-      <GridTools suite={suite} outputs={outputs} edits={edits} />
+      <GridTools suite={suite} outputs={outputs} edits={edits} sequences={sequences} />
       {edits.conflict && <Conflict suite={suite} edits={edits} />}
       {edits.error && !edits.conflict && (
         <ProblemAlert
@@ -64,6 +69,7 @@ export function CaseGrid({ suite, outputs }: CaseGridProps) {
             {suite.parameters.map(({ name }) => (
               <col key={name} />
             ))}
+            {sequences && <col {...(suite.parameters.length > 0 && { style: { width: '60%' } })} />}
             {outputs.map((name) => (
               <col key={name} style={{ width: '11rem' }} />
             ))}
@@ -77,6 +83,11 @@ export function CaseGrid({ suite, outputs }: CaseGridProps) {
                   {group.label}
                 </th>
               ))}
+              {sequences && (
+                <th rowSpan={2} className={classes.steps}>
+                  Steps
+                </th>
+              )}
               {outputs.length > 0 && (
                 <th colSpan={outputs.length} scope="colgroup">
                   Expected
@@ -121,6 +132,16 @@ export function CaseGrid({ suite, outputs }: CaseGridProps) {
                       </td>
                     )),
                   )}
+                  {sequences && (
+                    <td>
+                      <StepSummary
+                        item={item}
+                        onOpen={() => {
+                          setOpened(item);
+                        }}
+                      />
+                    </td>
+                  )}
                   {outputs.map((output, at) => (
                     <td key={output} className={classes.cell}>
                       <ExpectedCell
@@ -153,6 +174,13 @@ export function CaseGrid({ suite, outputs }: CaseGridProps) {
           </tbody>
         </table>
       </div>
+      <StepDrawer
+        item={opened}
+        parameters={suite.parameters.map(({ name }) => name)}
+        onClose={() => {
+          setOpened(null);
+        }}
+      />
       <Text size="sm" c="dimmed" role="status">
         {formatCount(suite.total)} cases, {formatCount(suite.valid)} valid,{' '}
         {formatCount(suite.invalid)} with an invalid value

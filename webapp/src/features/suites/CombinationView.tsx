@@ -21,7 +21,11 @@ export function CombinationView({ suite }: { suite: Suite }) {
     return <ProblemAlert title="The combinations could not be read" error={combinations.error} />;
   }
   if (!hasPairs)
-    return <Text c="dimmed">The suite has a single parameter, so there are no combinations.</Text>;
+    return (
+      <Text c="dimmed">
+        The cases begin with fewer than two parameters, so there are no combinations.
+      </Text>
+    );
   const { parameters, pairs, counts } = combinations.data;
   const names = parameters.map(({ name }, index) => ({ value: String(index), label: name }));
   return (

@@ -20,6 +20,11 @@ interface GridToolsProps {
   edits: Edits;
 }
 
+interface AllToolsProps extends GridToolsProps {
+  /** Whether the cases are sequences; each step has its own expected values. */
+  sequences: boolean;
+}
+
 const EXPORTS = [
   { label: 'CSV', path: 'cases.csv', ending: 'csv' },
   { label: 'JSON', path: 'cases.json', ending: 'json' },
@@ -27,11 +32,11 @@ const EXPORTS = [
 ] as const;
 
 /** Actions on all cases of a suite. */
-export function GridTools({ suite, outputs, edits }: GridToolsProps) {
+export function GridTools({ suite, outputs, edits, sequences }: AllToolsProps) {
   useUndoKey(suite.undoable > 0, () => void edits.apply({ kind: 'undo' }));
   return (
     <Group gap="sm">
-      <FillWithFormula suite={suite} outputs={outputs} edits={edits} />
+      {!sequences && <FillWithFormula suite={suite} outputs={outputs} edits={edits} />}
       <Button
         size="xs"
         variant="default"
@@ -42,7 +47,7 @@ export function GridTools({ suite, outputs, edits }: GridToolsProps) {
         Undo
       </Button>
       <FileButton
-        accept=".csv,.json,.xml"
+        accept={sequences ? '.json,.xml' : '.csv,.json,.xml'}
         inputProps={{ 'aria-label': 'File with test cases' }}
         onChange={(file) => {
           const format = file && formatOf(file.name);

@@ -1,7 +1,8 @@
 import { Stack, Table, Text } from '@mantine/core';
-import type { CaseChange, Suite } from '@/shared/api';
+import type { CaseChange, Suite, SuiteCase } from '@/shared/api';
 import { Loading, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
 import { useSuiteChanges } from './queries';
+import { callText } from './steps';
 
 const CHANGES = {
   added: 'Added',
@@ -21,6 +22,7 @@ export function SuiteChangesView({ suite }: { suite: Suite }) {
   if (!previousId) {
     return <Text c="dimmed">This is the first suite of this test model.</Text>;
   }
+  const sequences = items.some(({ before, now }) => ((now ?? before)?.steps.length ?? 0) > 0);
   return (
     <Stack gap="md">
       <Text>
@@ -44,13 +46,18 @@ export function SuiteChangesView({ suite }: { suite: Suite }) {
                   <UserText>{name}</UserText>
                 </Table.Th>
               ))}
+              {sequences && <Table.Th>Steps</Table.Th>}
               <Table.Th ta="right">Expected before</Table.Th>
               <Table.Th ta="right">Expected now</Table.Th>
             </Table.Tr>
           </Table.Thead>
           <Table.Tbody>
             {items.map((item) => (
-              <ChangeRow key={`${item.change} ${(item.now ?? item.before)?.no ?? 0}`} item={item} />
+              <ChangeRow
+                key={`${item.change} ${(item.now ?? item.before)?.no ?? 0}`}
+                item={item}
+                sequences={sequences}
+              />
             ))}
           </Table.Tbody>
         </ScrollTable>
@@ -59,8 +66,9 @@ export function SuiteChangesView({ suite }: { suite: Suite }) {
   );
 }
 
-function ChangeRow({ item }: { item: CaseChange }) {
-  const shown = item.now ?? item.before;
+function ChangeRow({ item, sequences }: { item: CaseChange; sequences: boolean }) {
+  const { before, now } = item;
+  const shown = now ?? before;
   return (
     <Table.Tr>
       <Table.Td>{CHANGES[item.change]}</Table.Td>
@@ -70,14 +78,29 @@ function ChangeRow({ item }: { item: CaseChange }) {
           <UserText>{value}</UserText>
         </Table.Td>
       ))}
+      {sequences && (
+        <Table.Td>
+          <UserText>{(shown?.steps ?? []).map(callText).join(' → ')}</UserText>
+        </Table.Td>
+      )}
       <Table.Td ta="right">
-        <UserText>{textOf(item.before?.expected)}</UserText>
+        <UserText>{sequences ? stepTexts(before, now) : textOf(before?.expected)}</UserText>
       </Table.Td>
       <Table.Td ta="right">
-        <UserText>{textOf(item.now?.expected)}</UserText>
+        <UserText>{sequences ? stepTexts(now, before) : textOf(now?.expected)}</UserText>
       </Table.Td>
     </Table.Tr>
   );
+}
+
+/** The expected values of the steps that differ from those of another case. */
+function stepTexts(shown: SuiteCase | undefined, other: SuiteCase | undefined): string {
+  const texts = (shown?.steps ?? []).flatMap(({ expected }, index) => {
+    const text = textOf(expected);
+    const same = text === textOf(other?.steps[index]?.expected);
+    return same || text === '–' ? [] : [`step ${index + 1}: ${text}`];
+  });
+  return texts.length > 0 ? texts.join(', ') : '–';
 }
 
 function textOf(expected: Record<string, string> | undefined): string {

@@ -85,6 +85,13 @@ function formatSeconds(seconds: number): string {
   return `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
 }
 
+/** How long something will still take: `about 40 s left`, `about 3 min left`. */
+export function formatLeft(seconds: number): string {
+  if (seconds < 120) return `about ${Math.round(seconds)} s left`;
+  if (seconds < 7200) return `about ${Math.round(seconds / 60)} min left`;
+  return `about ${Math.round(seconds / 3600)} h left`;
+}
+
 /** A date and time in a time zone: `Monday 23 November 2026 at 03:00`. */
 export function formatMoment(iso: string, zone?: string): string {
   const date = new Date(iso);

@@ -3,17 +3,30 @@ import { useEffect, useRef } from 'react';
 import classes from './code.module.css';
 import type { Editor } from './editor';
 
+/** Names that a field completes. */
+export type Words = readonly { label: string; detail: string }[];
+
 interface FormulaProps {
   label: string;
+  /** Whether the label is visible; in a table the heading of the column says the same. */
+  labelled?: boolean;
   description?: string | undefined;
   error?: string | undefined;
   text: string;
-  words: readonly { label: string; detail: string }[];
+  words: Words;
   onChange: (text: string) => void;
 }
 
 /** A field for a CEL expression, with completion of names. */
-export function Formula({ label, description, error, text, words, onChange }: FormulaProps) {
+export function Formula({
+  label,
+  labelled = true,
+  description,
+  error,
+  text,
+  words,
+  onChange,
+}: FormulaProps) {
   const place = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor>(undefined);
   const latest = useRef({ text, onChange });
@@ -45,7 +58,12 @@ export function Formula({ label, description, error, text, words, onChange }: Fo
     };
   }, [dark, label, key]);
   return (
-    <Input.Wrapper label={label} description={description} error={error} labelElement="div">
+    <Input.Wrapper
+      label={labelled && label}
+      description={description}
+      error={error}
+      labelElement="div"
+    >
       <div ref={place} className={classes.formula} />
     </Input.Wrapper>
   );

@@ -7,10 +7,15 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.beginning.SequenceProposal;
+import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Requests;
 import org.sitaf.server.web.Uploads;
 import org.springframework.http.HttpHeaders;
+import org.springframework.http.MediaType;
+import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PatchMapping;
 import org.springframework.web.bind.annotation.PathVariable;
@@ -18,6 +23,7 @@ import org.springframework.web.bind.annotation.PostMapping;
 import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestHeader;
 import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
 /** Operations for editing activities. */
@@ -41,6 +47,31 @@ class AuthoringController {
       summary = "Returns the interfaces of an activity with resolved types, and its world")
   DescriptionView description(@PathVariable String id) {
     return DescriptionView.of(activities.activity(id));
+  }
+
+  @GetMapping(
+      path = "/activities/{id}/proposals/sequences",
+      produces = MediaType.APPLICATION_XML_VALUE)
+  @Operation(
+      operationId = "proposeSequences",
+      summary = "Proposes a test model of sequences for an interface, without storing it",
+      description = "States, guards and updates are guesses from the names of the methods.")
+  ResponseEntity<String> sequences(
+      @PathVariable String id,
+      @RequestParam("interface") String interfaceName,
+      @RequestParam(defaultValue = "Sequences") String name) {
+    Activity activity = activities.activity(id);
+    InterfaceDescription provided =
+        activity.provided().stream()
+            .filter(i -> i.name().equals(interfaceName))
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    RequestException.malformed(
+                        "The activity provides no interface '" + interfaceName + "'."));
+    return ResponseEntity.ok()
+        .contentType(MediaType.APPLICATION_XML)
+        .body(SequenceProposal.always(provided, name));
   }
 
   @PatchMapping("/activities/{id}/files")

@@ -8,6 +8,7 @@ import org.sitaf.core.model.InputKind;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.value.TestData;
 import org.sitaf.core.value.TestDataGenerator;
+import org.sitaf.server.result.states.StateDiagramView;
 import org.sitaf.server.web.DiagnosticView;
 
 /** The preview of a draft of a test model. */
@@ -16,8 +17,21 @@ record PreviewView(
     @Schema(description = "problems of the draft, and notes") List<DiagnosticView> diagnostics,
     @Schema(description = "in the order of the draft; empty if the draft cannot be read")
         List<InputValues> inputs,
+    @Schema(description = "the calls of a sequence in the order of the draft")
+        List<CallValues> calls,
+    @Schema(
+            description =
+                "what the sequences may do; absent if the draft has errors or no sequence")
+        @Nullable StateDiagramView states,
     @Schema(description = "absent if the draft has errors, or if cases were not requested")
         @Nullable CaseCounts counts) {
+  /** A preview without values. */
+  static PreviewView of(List<DiagnosticView> diagnostics) {
+    return new PreviewView(diagnostics, List.of(), List.of(), null, null);
+  }
+
+  @Schema(name = "CallValues", description = "the values of a call's inputs")
+  record CallValues(String name, List<InputValues> inputs) {}
 
   @Schema(name = "InputValues")
   record InputValues(

@@ -14,11 +14,14 @@ import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.verdict.StateDiagram;
 import org.sitaf.server.activity.StoredActivities;
 import org.sitaf.server.computation.Computations;
 import org.sitaf.server.error.ComputationTimeoutException;
+import org.sitaf.server.preview.PreviewView.CallValues;
 import org.sitaf.server.preview.PreviewView.CaseCounts;
 import org.sitaf.server.preview.PreviewView.InputValues;
+import org.sitaf.server.result.states.StateDiagramView;
 import org.sitaf.server.web.DiagnosticView;
 import org.springframework.stereotype.Service;
 
@@ -53,7 +56,7 @@ class Previews {
   /** A preview that was cancelled, with the reason. */
   static PreviewView failed(RuntimeException reason) {
     Diagnostic problem = Diagnostic.error("model", 0, "", String.valueOf(reason.getMessage()));
-    return new PreviewView(views(List.of(problem)), List.of(), null);
+    return PreviewView.of(views(List.of(problem)));
   }
 
   private static PreviewView preview(Activity activity, byte[] draft, boolean cases, long seed) {
@@ -61,17 +64,34 @@ class Previews {
     try {
       model = activity.resolve(TestModelXml.read(new ByteArrayInputStream(draft), "model"));
     } catch (InvalidInputException e) {
-      return new PreviewView(views(e.diagnostics()), List.of(), null);
+      return PreviewView.of(views(e.diagnostics()));
     }
     List<Diagnostic> diagnostics = new ArrayList<>(activity.verify(model));
-    List<InputValues> inputs =
-        model.inputs().stream().map(input -> InputValues.of(input, seed)).toList();
     CaseCounts counts = null;
     boolean hasErrors = diagnostics.stream().anyMatch(d -> d.severity() == Severity.ERROR);
     if (cases && !hasErrors) {
       counts = count(model, seed, diagnostics);
     }
-    return new PreviewView(views(diagnostics), inputs, counts);
+    StateDiagramView states =
+        hasErrors
+            ? null
+            : StateDiagram.planned(model, seed)
+                .map(d -> StateDiagramView.of(d, model.target().settle()))
+                .orElse(null);
+    return new PreviewView(
+        views(diagnostics), values(model, seed), calls(model, seed), states, counts);
+  }
+
+  private static List<InputValues> values(TestModel model, long seed) {
+    return model.inputs().stream().map(input -> InputValues.of(input, seed)).toList();
+  }
+
+  private static List<CallValues> calls(TestModel model, long seed) {
+    return model.sequence() == null
+        ? List.of()
+        : model.sequence().calls().stream()
+            .map(call -> new CallValues(call.name(), values(call.model(), seed)))
+            .toList();
   }
 
   private static @Nullable CaseCounts count(

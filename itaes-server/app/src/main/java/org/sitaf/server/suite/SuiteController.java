@@ -11,6 +11,7 @@ import java.io.InputStream;
 import java.net.URI;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.suite.TestSuite;
 import org.sitaf.server.suite.SuiteView.CaseView;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Requests;
@@ -83,8 +84,11 @@ class SuiteController {
       @PathVariable String id,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
+    TestSuite suite = suites.suite(id);
     return Listing.of(
-        suites.suite(id).cases(), Listing.request(page, size, Sort.unsorted()), CaseView::of);
+        suite.cases(),
+        Listing.request(page, size, Sort.unsorted()),
+        testCase -> CaseView.of(testCase, suite));
   }
 
   @GetMapping(path = "/suites/{id}/document", produces = MediaType.APPLICATION_XML_VALUE)

@@ -8,7 +8,10 @@ import java.util.Map;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestStep;
+import org.sitaf.core.suite.TestSuite;
 import org.sitaf.server.web.DiagnosticView;
 
 /** A suite in the REST interface. */
@@ -44,17 +47,44 @@ record SuiteView(
       @Schema(description = "from 1") int no,
       boolean valid,
       @Schema(description = "in the order of the suite's parameters") List<String> values,
-      @Schema(description = "by name of the output") Map<String, String> expected) {
-    static CaseView of(TestCase testCase) {
-      Map<String, String> expected = new LinkedHashMap<>();
-      testCase
-          .expected()
-          .forEach(
-              e ->
-                  expected.put(
-                      e.output().isEmpty() ? OutputElement.RETURN_NAME : e.output(), e.literal()));
-      return new CaseView(testCase.no(), testCase.valid(), testCase.values(), expected);
+      @Schema(description = "by name of the output") Map<String, String> expected,
+      @Schema(description = "the steps of a sequence; empty if the case is a single call")
+          List<StepView> steps) {
+    static CaseView of(TestCase testCase, TestSuite suite) {
+      return new CaseView(
+          testCase.no(),
+          testCase.valid(),
+          testCase.values(),
+          byOutput(testCase.expected()),
+          testCase.steps().stream()
+              .map(step -> StepView.of(step, suite.stepParameters(step.name())))
+              .toList());
     }
+  }
+
+  @Schema(name = "SuiteStep")
+  record StepView(
+      @Schema(description = "the call or event of the test model") String name,
+      @Schema(description = "false if the call is forbidden here or has an invalid value")
+          boolean valid,
+      @Schema(description = "by name of the input; empty for an event") Map<String, String> inputs,
+      @Schema(description = "by name of the output") Map<String, String> expected) {
+    static StepView of(TestStep step, List<CaseParameter> parameters) {
+      Map<String, String> inputs = new LinkedHashMap<>();
+      for (int i = 0; i < Math.min(parameters.size(), step.values().size()); i++) {
+        inputs.put(parameters.get(i).name(), step.values().get(i));
+      }
+      return new StepView(step.name(), step.valid(), inputs, byOutput(step.expected()));
+    }
+  }
+
+  private static Map<String, String> byOutput(List<ExpectedValue> values) {
+    Map<String, String> expected = new LinkedHashMap<>();
+    values.forEach(
+        e ->
+            expected.put(
+                e.output().isEmpty() ? OutputElement.RETURN_NAME : e.output(), e.literal()));
+    return expected;
   }
 
   static SuiteView of(StoredSuite stored, int undoable) {

@@ -122,6 +122,92 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
+  void previewOfSequencesContainsTheStatesAndTheValuesOfCalls() {
+    String id = api.upload(Activities.zip(Activities.files("ir-sensor-states")));
+    String states = "/api/v1/activities/" + id;
+    String model = api.get(states + "/models/LifeCycle").text();
+    JsonNode preview = api.post(states + "/model-previews", XML, bytes(model)).expect(200).json();
+    JsonNode read = preview.get("calls").get(2);
+    assertThat(read.get("name").asString()).isEqualTo("Read");
+    assertThat(read.get("inputs").get(0).get("values"))
+        .extracting(v -> v.get("literal").asString())
+        .containsExactly("1", "2");
+    JsonNode diagram = preview.get("states");
+    assertThat(diagram.get("states").size()).as("three booleans").isEqualTo(8);
+    assertThat(diagram.get("transitions"))
+        .filteredOn(t -> t.get("from").asInt() == 0)
+        .extracting(t -> t.get("step").asString() + " " + t.get("kind").asString())
+        .containsExactlyInAnyOrder(
+            "Enable VALID",
+            "Disable VALID",
+            "Read FORBIDDEN",
+            "ObstacleNears VALID",
+            "DropsOut VALID");
+
+    String wrong = model.replace("<guard>enabled</guard>", "<guard>enabeld</guard>");
+    JsonNode refused = api.post(states + "/model-previews", XML, bytes(wrong)).expect(200).json();
+    assertThat(refused.has("states")).isFalse();
+    assertThat(refused.get("calls").size()).as("values are shown despite the error").isEqualTo(3);
+    assertThat(refused.get("diagnostics").get(0).get("element").asString())
+        .isEqualTo("call Read/guard");
+  }
+
+  @Test
+  void aSuiteOfSequencesShowsItsStepsAndSurvivesAnImport() {
+    String id = api.upload(Activities.zip(Activities.files("ir-sensor-states")));
+    String suites = "/api/v1/activities/" + id + "/models/LifeCycle/suites";
+    String suite =
+        "/api/v1/suites/" + api.post(suites, "{}").expect(201).json().get("id").asString();
+    JsonNode cases = api.get(suite + "/cases?size=500").expect(200).json().get("items");
+    JsonNode forbidden =
+        IntStream.range(0, cases.size())
+            .mapToObj(cases::get)
+            .filter(c -> !c.get("valid").asBoolean())
+            .flatMap(c -> IntStream.range(0, c.get("steps").size()).mapToObj(c.get("steps")::get))
+            .filter(s -> s.get("name").asString().equals("Read") && !s.get("valid").asBoolean())
+            .findFirst()
+            .orElseThrow();
+    assertThat(forbidden.get("expected").get("return").asString()).isEqualTo("-1.0");
+    assertThat(forbidden.get("inputs").has("NumOfSensor")).isTrue();
+
+    String json = api.get(suite + "/cases.json").expect(200).text();
+    String document = api.get(suite + "/document").expect(200).text();
+    String binary = "application/octet-stream";
+    api.put(suite + "/cases.json", binary, bytes(json), version(suite)).expect(200);
+    assertThat(api.get(suite + "/document").text()).as("nothing was lost").isEqualTo(document);
+    String changed =
+        json.replaceFirst("\"expected\":\\{\"return\":\"5.0\"", "\"expected\":{\"return\":\"6.0\"");
+    api.put(suite + "/cases.json", binary, bytes(changed), version(suite)).expect(200);
+    assertThat(api.get(suite + "/document").text()).contains("<expected>6.0</expected>");
+    String without = "{\"cases\":[{\"no\":1,\"values\":[\"5.0\"]}]}";
+    assertThat(
+            api.put(suite + "/cases.json", binary, bytes(without), version(suite))
+                .expect(422)
+                .text())
+        .contains("case 1 has no steps");
+
+    String next =
+        "/api/v1/suites/" + api.post(suites, "{}").expect(201).json().get("id").asString();
+    JsonNode changes = api.get(next + "/changes").expect(200).json();
+    assertThat(changes.get("expectedChanged").asInt()).isEqualTo(1);
+    assertThat(changes.get("kept").asInt()).isEqualTo(cases.size() - 1);
+    assertThat(changes.get("added").asInt()).isZero();
+  }
+
+  @Test
+  void aModelOfSequencesIsProposedForAnInterface() {
+    String id = api.upload(Activities.zip(Activities.files("ir-sensor-states")));
+    String path = "/api/v1/activities/" + id + "/proposals/sequences?interface=";
+    String model = api.get(path + "InfraredSensorService&name=Mine").expect(200).text();
+    assertThat(model)
+        .contains("<name>Mine</name>", "<state name=\"enabled\" type=\"boolean\"", "A guess");
+    String previews = "/api/v1/activities/" + id + "/model-previews?cases=true";
+    JsonNode preview = api.post(previews, XML, bytes(model)).expect(200).json();
+    assertThat(preview.get("counts").get("valid").asInt()).isPositive();
+    assertThat(api.get(path + "Nothing").expect(400).text()).contains("Nothing");
+  }
+
+  @Test
   void previewOfTooLargeModelFailsImmediately() {
     String model = api.get(activity + "/models/" + Activities.MODEL).text();
     String path = activity + "/model-previews?cases=true";

@@ -147,6 +147,20 @@ public record Activity(
         warnings);
   }
 
+  /** The same activity with another content of a source file of its component. */
+  public Activity withSource(String path, byte[] content) {
+    return new Activity(
+        profile,
+        files.with(path, content),
+        provided,
+        required,
+        outputPorts,
+        world,
+        models,
+        ros,
+        warnings);
+  }
+
   private Activity with(ActivityProfile other, List<String> hidden) {
     List<String> kept = other.component().folders();
     Map<String, byte[]> visible = new HashMap<>();

@@ -19,7 +19,7 @@ import org.sitaf.core.description.Parameter;
  * The text of a test model over sequences of calls, for an interface whose names tell states. It
  * states only what holds for a component that does nothing; comments say what a person can add.
  */
-final class SequenceProposal {
+public final class SequenceProposal {
   private static final int MAX_CALLS = 12;
   private static final int SHORT = 6;
   private static final int LONG = 8;
@@ -46,6 +46,11 @@ final class SequenceProposal {
         : Optional.of(new SequenceProposal(provided, roles).write(name));
   }
 
+  /** The model of an interface; a model without states if its names tell none. */
+  public static String always(InterfaceDescription provided, String name) {
+    return new SequenceProposal(provided, MethodRoles.of(provided)).write(name);
+  }
+
   /** The methods that change states first, then others that are not overloaded. */
   private List<Method> calls() {
     List<Method> chosen = new ArrayList<>(roles.lifeCycle().values());
@@ -63,7 +68,13 @@ final class SequenceProposal {
     line(2, "<name>" + Xml.text(name) + "</name>");
     line(2, "<target interface=" + Xml.attribute(provided.name()) + "/>");
     line(2, "<input_spec_list/>");
-    line(2, "<!-- The states are guesses from the names of the methods. Decide what the component");
+    if (roles.isEmpty()) {
+      line(2, "<!-- The names of the methods tell no states. Decide what the component");
+    } else {
+      line(
+          2,
+          "<!-- The states are guesses from the names of the methods. Decide what the component");
+    }
     line(2, "     must remember, and which calls are allowed in which state. -->");
     int length = calls.size() > SHORT ? LONG : SHORT;
     line(2, "<sequence_spec length=\"" + length + "\" order=\"2\">");
@@ -126,7 +137,7 @@ final class SequenceProposal {
         && roles.lifeCycle().isEmpty()
         && !MethodRoles.asksFor(method, roles.switches().get(0))) {
       guess(state(roles.switches().get(0).state()));
-    } else if (roles.switches().isEmpty()) {
+    } else if (roles.switches().isEmpty() && !roles.lifeCycle().isEmpty()) {
       guess(state(LIFE_CYCLE) + " == \"" + Transition.START.to() + "\"");
     }
   }

@@ -12,11 +12,12 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.sequence.SequenceEvent;
 import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.sequence.AbstractState;
+import org.sitaf.core.suite.sequence.SequenceVerification;
 import org.sitaf.core.suite.sequence.StepStates;
 import org.sitaf.core.verdict.StepResult.Kind;
 
@@ -87,29 +88,64 @@ public record StateDiagram(List<State> states, List<Transition> transitions, boo
    */
   public static Optional<StateDiagram> of(TestModel model, List<CaseResult> cases, long seed) {
     SequenceSpec sequence = model.sequence();
-    return sequence == null
-        ? Optional.empty()
-        : Optional.of(new Drawing(model, sequence, cases, seed).draw());
+    if (sequence == null) {
+      return Optional.empty();
+    }
+    Drawing drawing = new Drawing(model, sequence, seed);
+    drawing.explore(stepsOf(sequence, cases), false);
+    cases.forEach(drawing::execute);
+    return Optional.of(drawing.draw());
+  }
+
+  /**
+   * The diagram of a model without a result: what its sequences may do with the values of its
+   * calls, and the forbidden calls that they try. Nothing in it is covered.
+   *
+   * @param seed of the values
+   * @return empty if the model has no sequence or has errors
+   */
+  public static Optional<StateDiagram> planned(TestModel model, long seed) {
+    SequenceSpec sequence = model.sequence();
+    if (sequence == null) {
+      return Optional.empty();
+    }
+    return SequenceVerification.steps(model, seed)
+        .map(
+            steps -> {
+              Drawing drawing = new Drawing(model, sequence, seed);
+              drawing.explore(new LinkedHashSet<>(steps), true);
+              return drawing.draw();
+            });
+  }
+
+  /** The valid steps of a suite, each once, and all events. */
+  private static Set<TestStep> stepsOf(SequenceSpec sequence, List<CaseResult> cases) {
+    Set<TestStep> steps = new LinkedHashSet<>();
+    sequence.events().forEach(e -> steps.add(new TestStep(e.name(), true, List.of(), List.of())));
+    for (CaseResult testCase : cases) {
+      for (StepResult step : testCase.steps()) {
+        if (step.kind() == Kind.VALID) {
+          steps.add(new TestStep(step.name(), true, step.values(), List.of()));
+        }
+      }
+    }
+    return steps;
   }
 
   /** Collects states and transitions. */
   private static final class Drawing {
     private final SequenceSpec sequence;
-    private final List<CaseResult> cases;
     private final StepStates states;
     private final Map<String, Integer> known = new LinkedHashMap<>();
     private final Map<Key, Count> transitions = new LinkedHashMap<>();
     private boolean complete = true;
 
-    Drawing(TestModel model, SequenceSpec sequence, List<CaseResult> cases, long seed) {
+    Drawing(TestModel model, SequenceSpec sequence, long seed) {
       this.sequence = sequence;
-      this.cases = cases;
       this.states = new StepStates(model, seed);
     }
 
     StateDiagram draw() {
-      explore();
-      cases.forEach(this::execute);
       List<String> names = known.keySet().stream().limit(MAX_STATES).toList();
       Map<String, Integer> index = new HashMap<>();
       names.forEach(name -> index.put(name, index.size()));
@@ -138,9 +174,12 @@ public record StateDiagram(List<State> states, List<Transition> transitions, boo
           count.failedCase);
     }
 
-    /** Adds what the model allows with the values of the suite. */
-    private void explore() {
-      Set<TestStep> all = steps();
+    /**
+     * Adds what the model allows with the values of some steps.
+     *
+     * @param withForbidden whether to add the calls that are tried where their guards are false
+     */
+    void explore(Set<TestStep> all, boolean withForbidden) {
       List<TestStep> steps = all.stream().limit(MAX_STEPS).toList();
       complete = steps.size() == all.size();
       List<AbstractState> reached = new ArrayList<>(List.of(states.initial()));
@@ -149,10 +188,14 @@ public record StateDiagram(List<State> states, List<Transition> transitions, boo
       int from = 0;
       for (int depth = 0; depth < sequence.length() && from < reached.size(); depth++) {
         for (int to = reached.size(); from < to; from++) {
+          Interruption.check();
           AbstractState before = reached.get(from);
           for (TestStep step : steps) {
             Optional<AbstractState> after = states.planned(before, step);
             if (after.isEmpty()) {
+              if (withForbidden && states.isForbidden(before, step)) {
+                add(before, before, step, Kind.FORBIDDEN);
+              }
               continue;
             }
             if (!seen.contains(after.get())) {
@@ -164,31 +207,18 @@ public record StateDiagram(List<State> states, List<Transition> transitions, boo
               reached.add(after.get());
               known.put(states.text(after.get()), 0);
             }
-            transitions.computeIfAbsent(
-                new Key(states.text(before), states.text(after.get()), step.name(), Kind.VALID),
-                key -> new Count());
+            add(before, after.get(), step, Kind.VALID);
           }
         }
       }
     }
 
-    /** The valid steps of the suite, each once. */
-    private Set<TestStep> steps() {
-      Set<TestStep> steps = new LinkedHashSet<>();
-      sequence.steps().stream()
-          .filter(step -> step instanceof SequenceEvent)
-          .forEach(event -> steps.add(new TestStep(event.name(), true, List.of(), List.of())));
-      for (CaseResult testCase : cases) {
-        for (StepResult step : testCase.steps()) {
-          if (step.kind() == Kind.VALID) {
-            steps.add(new TestStep(step.name(), true, step.values(), List.of()));
-          }
-        }
-      }
-      return steps;
+    private void add(AbstractState before, AbstractState after, TestStep step, Kind kind) {
+      transitions.computeIfAbsent(
+          new Key(states.text(before), states.text(after), step.name(), kind), key -> new Count());
     }
 
-    private void execute(CaseResult testCase) {
+    void execute(CaseResult testCase) {
       for (StepResult step : testCase.steps()) {
         if (step.before() == null || step.after() == null || step.verdict() == Verdict.DONT) {
           continue;

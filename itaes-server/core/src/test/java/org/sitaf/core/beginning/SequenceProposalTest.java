@@ -2,6 +2,7 @@ package org.sitaf.core.beginning;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +17,7 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.description.importer.InterfaceFiles;
 import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.model.sequence.SequenceCall;
 import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.model.sequence.StateVariable;
@@ -114,5 +116,24 @@ class SequenceProposalTest {
   void namesWithoutAPairTellNothing() {
     assertThat(sequences("interface A { void Start(); double Read(); void SetX(in double x); };"))
         .isEmpty();
+  }
+
+  @Test
+  void a_model_without_states_is_proposed_on_request() {
+    byte[] idl =
+        "interface Arm { double Reach(in double to); void Home(); };"
+            .getBytes(StandardCharsets.UTF_8);
+    var read = InterfaceFiles.read(SourceFiles.of("a", Map.of("A.idl", idl), List.of("A.idl")));
+    assertThat(SequenceProposal.of(read.provided().get(0), "Sequences")).isEmpty();
+    String text = SequenceProposal.always(read.provided().get(0), "Sequences");
+    SequenceSpec spec =
+        Objects.requireNonNull(
+            TestModelXml.read(
+                    new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), "model")
+                .sequence());
+    assertThat(spec.states()).isEmpty();
+    assertThat(spec.calls()).extracting(SequenceCall::name).containsExactly("Reach", "Home");
+    assertThat(spec.calls()).allMatch(c -> c.guard() == null);
+    assertThat(text).contains("The names of the methods tell no states");
   }
 }

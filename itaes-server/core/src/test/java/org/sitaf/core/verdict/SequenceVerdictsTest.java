@@ -256,6 +256,47 @@ class SequenceVerdictsTest {
   }
 
   @Test
+  void the_plan_of_a_model_shows_what_is_allowed_and_what_is_forbidden() {
+    String guarded =
+        MODEL
+            .formatted("true")
+            .replace(
+                "<call name=\"Get\">",
+                "<call name=\"Get\"><guard>count &gt; 0</guard><forbidden>!error</forbidden>")
+            .replace("length=\"4\"", "length=\"2\"");
+    StateDiagram plan =
+        StateDiagram.planned(
+                TestModelXml.read(
+                    new ByteArrayInputStream(guarded.getBytes(StandardCharsets.UTF_8)), "model"),
+                1)
+            .orElseThrow();
+    assertThat(plan.states())
+        .extracting(StateDiagram.State::name)
+        .containsExactly("count=0", "count=1", "count=2", "count=3", "count=4");
+    assertThat(plan.transitions().stream().noneMatch(StateDiagram.Transition::isCovered)).isTrue();
+    assertThat(
+            plan.transitions().stream()
+                .filter(t -> t.from() == 0)
+                .map(t -> t.step() + " " + t.kind() + " " + t.to()))
+        .containsExactlyInAnyOrder(
+            "Add VALID 1", "Add VALID 2", "Get FORBIDDEN 0", "Night VALID 0");
+    assertThat(plan.transitions().stream().filter(t -> t.from() == 1 && t.step().equals("Get")))
+        .extracting(StateDiagram.Transition::kind)
+        .containsExactly(StepResult.Kind.VALID);
+  }
+
+  @Test
+  void a_model_with_errors_has_no_plan() {
+    String wrong = MODEL.formatted("true").replace("count + by", "count + nothing");
+    assertThat(
+            StateDiagram.planned(
+                TestModelXml.read(
+                    new ByteArrayInputStream(wrong.getBytes(StandardCharsets.UTF_8)), "model"),
+                1))
+        .isEmpty();
+  }
+
+  @Test
   void a_failure_before_the_first_step_is_the_case_s_own() {
     CaseRecord refused =
         new CaseRecord(

@@ -12,8 +12,8 @@ import org.sitaf.core.verdict.StepResult;
     name = "StateDiagram",
     description =
         "what the cases executed, and what the model allows with the same values; empty if the"
-            + " cases are no sequences")
-record StateDiagramView(
+            + " cases are no sequences. In a preview nothing has been executed")
+public record StateDiagramView(
     @Schema(description = "the initial one first") List<StateView> states,
     @Schema(description = "those that failed first, those that were not executed last")
         List<TransitionView> transitions,
@@ -23,12 +23,12 @@ record StateDiagramView(
   static final StateDiagramView NONE = new StateDiagramView(List.of(), List.of(), true, 0);
 
   @Schema(name = "DiagramState")
-  record StateView(
+  public record StateView(
       @Schema(description = "values of the state variables") String name,
       @Schema(description = "number of executed steps that began in it") int steps) {}
 
   @Schema(name = "DiagramTransition")
-  record TransitionView(
+  public record TransitionView(
       @Schema(description = "index of the state before the step") int from,
       @Schema(description = "index of the state after the step") int to,
       @Schema(description = "name of the step") String step,
@@ -38,7 +38,12 @@ record StateDiagramView(
       @Schema(description = "number of the first case in which it failed")
           @Nullable Integer failedCase) {}
 
-  static StateDiagramView of(StateDiagram diagram, Duration settle) {
+  /**
+   * The view of a diagram.
+   *
+   * @param settle simulation time before the first step
+   */
+  public static StateDiagramView of(StateDiagram diagram, Duration settle) {
     return new StateDiagramView(
         diagram.states().stream().map(s -> new StateView(s.name(), s.steps())).toList(),
         diagram.transitions().stream()

@@ -5,8 +5,10 @@ import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.Effort;
 import org.sitaf.core.combine.TooManyCombinationsException;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
@@ -17,6 +19,7 @@ import org.sitaf.core.model.sequence.SequenceCall;
 import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.model.sequence.StateVariable;
 import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestStep;
 
 /** Explores the abstract states of a model and reports what no sequence reaches. */
 public final class SequenceVerification {
@@ -29,6 +32,33 @@ public final class SequenceVerification {
     } catch (InvalidInputException e) {
       diagnostics.addAll(e.diagnostics());
     }
+  }
+
+  /**
+   * The valid steps of a model: its events, and its calls with each of their rows of values.
+   *
+   * @param seed of the values
+   * @return empty if the model has errors
+   */
+  public static Optional<List<TestStep>> steps(TestModel model, long seed) {
+    GenerationOptions options = new GenerationOptions(null, null, seed, Effort.DEFAULT);
+    Explored explored;
+    try {
+      explored = explore(model, options, new Diagnostics());
+    } catch (InvalidInputException e) {
+      return Optional.empty();
+    }
+    if (explored == null) {
+      return Optional.empty();
+    }
+    List<TestStep> steps = new ArrayList<>();
+    for (int kind = 0; kind < explored.steps().size(); kind++) {
+      String name = explored.steps().get(kind).step().name();
+      for (StepRow row : explored.rows().get(kind).choices()) {
+        steps.add(new TestStep(name, true, row.literals(), List.of()));
+      }
+    }
+    return Optional.of(steps);
   }
 
   /** The steps of a model, their rows, and the states that they reach. */

@@ -60,6 +60,12 @@ public final class StepStates {
     }
   }
 
+  /** Whether the guard of a call is false and the model says what the call does then. */
+  public boolean isForbidden(AbstractState state, TestStep step) {
+    CompiledStep compiled = steps.get(step.name());
+    return compiled != null && compiled.hasForbidden() && !isAllowed(state, step);
+  }
+
   /**
    * Another sequence of steps with the expected values that they have there.
    *

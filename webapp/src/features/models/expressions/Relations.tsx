@@ -1,8 +1,6 @@
 import { Button, Group, NativeSelect, Stack, Text, TextInput } from '@mantine/core';
-import { Formula, Section } from '@/shared/ui';
-import type { RelationDraft } from './draft';
-
-type Words = readonly { label: string; detail: string }[];
+import { Formula, Section, type Words } from '@/shared/ui';
+import type { RelationDraft } from '../document';
 
 interface RelationsProps {
   relations: readonly RelationDraft[];

@@ -1,7 +1,7 @@
 import { Text } from '@mantine/core';
 import type { ModelPreview } from '@/shared/api';
 import { UserText } from '@/shared/ui';
-import classes from './models.module.css';
+import classes from './values.module.css';
 
 type Values = ModelPreview['inputs'][number]['values'];
 

@@ -2,8 +2,11 @@ import type { StateDiagram } from '@/shared/api';
 
 export type Transition = StateDiagram['transitions'][number];
 
-/** What the cases of a result show about a step between two states. */
-export type Coverage = 'failed' | 'passed' | 'missing';
+/**
+ * What the cases of a result show about a step between two states; in the plan of a model, whether
+ * the step is allowed there.
+ */
+export type Coverage = 'failed' | 'passed' | 'missing' | 'planned' | 'forbidden';
 
 /** Pixels. */
 const COLUMN = 230;
@@ -44,21 +47,31 @@ export function coverageOf({ passed, failed }: Transition): Coverage {
   return passed > 0 ? 'passed' : 'missing';
 }
 
-/** The worst: an arrow is covered if all of its transitions are. */
-function worst(all: readonly Coverage[]): Coverage {
-  if (all.includes('failed')) return 'failed';
-  return all.includes('missing') ? 'missing' : 'passed';
+/** The coverage of a step in the plan of a model. */
+function planOf({ kind }: Transition): Coverage {
+  return kind === 'FORBIDDEN' ? 'forbidden' : 'planned';
 }
 
-/** Columns by the number of steps from the initial state; arrows between the boxes. */
-export function layoutOf({ states, transitions }: StateDiagram): Layout {
+/** The worst: an arrow is covered if all of its transitions are. */
+function worst(all: readonly Coverage[]): Coverage {
+  const order: Coverage[] = ['failed', 'missing', 'planned', 'passed'];
+  return order.find((coverage) => all.includes(coverage)) ?? 'forbidden';
+}
+
+/**
+ * Columns by the number of steps from the initial state; arrows between the boxes.
+ *
+ * @param planned whether the diagram is the plan of a model, without a result
+ */
+export function layoutOf({ states, transitions }: StateDiagram, planned = false): Layout {
+  const of = planned ? planOf : coverageOf;
   const depth = depthsOf(states.length, transitions);
   const columns: number[][] = [];
   depth.forEach((column, index) => {
     (columns[column] ??= []).push(index);
   });
   const lines = states.map(({ name }) => (name === '' ? ['no state variables'] : name.split(', ')));
-  const heights = lines.map((of) => of.length * LINE + 14);
+  const heights = lines.map((own) => own.length * LINE + 14);
   const heightOf = (column: readonly number[]) =>
     column.reduce((sum, index) => sum + (heights[index] ?? 0) + GAP, -GAP);
   const height = Math.max(...columns.map(heightOf)) + 2 * MARGIN;
@@ -75,7 +88,13 @@ export function layoutOf({ states, transitions }: StateDiagram): Layout {
         x: MARGIN + BOX_WIDTH / 2 + at * COLUMN,
         y: y + own / 2,
         height: own,
-        coverage: left.includes('failed') ? 'failed' : steps > 0 ? 'passed' : 'missing',
+        coverage: planned
+          ? 'planned'
+          : left.includes('failed')
+            ? 'failed'
+            : steps > 0
+              ? 'passed'
+              : 'missing',
       };
       y += own + GAP;
     }
@@ -94,7 +113,7 @@ export function layoutOf({ states, transitions }: StateDiagram): Layout {
       from: from.index,
       to: to.index,
       transitions: group,
-      coverage: worst(group.map(coverageOf)),
+      coverage: worst(group.map(of)),
       path: pathOf(from, to),
     };
   });

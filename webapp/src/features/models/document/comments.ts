@@ -8,7 +8,7 @@ export interface Comment {
 }
 
 /** Elements that are kept as text, with their comments. */
-const KEPT = ['sequence_spec', 'strength', 'case_list'];
+const KEPT = ['strength', 'case_list'];
 
 /** Collects the comments of a test model that the editor would not keep otherwise. */
 export function readComments(root: Element): Comment[] {

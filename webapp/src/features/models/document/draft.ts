@@ -25,14 +25,62 @@ export interface ModelDraft {
   maxCases: string;
   /** Repeated calls of each case; null if the model does not say. */
   timing: { warmUp: string; repeat: string } | null;
-  /** The specification of sequences, as XML; empty if a case is one call. */
-  sequence: string;
+  /** Null if a case is one call. */
+  sequence: SequenceDraft | null;
   /** Mixed strengths, as XML; the editor does not show them. */
   strengths: string[];
   /** Kept cases, as XML; the editor does not show them. */
   others: string[];
   /** Comments of the document; the editor does not show them. */
   comments: Comment[];
+}
+
+/** Which sequences of calls and events are generated. */
+export interface SequenceDraft {
+  length: string;
+  order: string;
+  /** `false` if a case has each step at most once. */
+  repeat: string;
+  threads: string;
+  states: StateDraft[];
+  calls: CallDraft[];
+  events: EventDraft[];
+}
+
+/** A variable of the abstract state. */
+export interface StateDraft {
+  name: string;
+  type: string;
+  initial: string;
+}
+
+/** A step of a sequence. */
+export interface StepDraft {
+  name: string;
+  /** Empty if the step is always allowed. */
+  guard: string;
+  /** Each names a state. */
+  updates: NamedText[];
+}
+
+export interface CallDraft extends StepDraft {
+  method: string;
+  signature: string;
+  settle: string;
+  runFor: string;
+  overlap: string;
+  /** What the call does where the guard is false; empty if it is not made there. */
+  forbidden: string;
+  preConditions: NamedText[];
+  inputs: InputDraft[];
+  outputs: OutputDraft[];
+  postConditions: NamedText[];
+}
+
+export interface EventDraft extends StepDraft {
+  /** A parameter of the world, or a fault of a device. */
+  set: string;
+  to: string;
 }
 
 /** A condition over time; `from` is empty for the call. */

@@ -1,6 +1,6 @@
 import { Button, Group, NativeSelect, Stack, Text, Textarea, TextInput } from '@mantine/core';
 import { Section } from '@/shared/ui';
-import type { TrajectoryDraft } from './draft';
+import type { TrajectoryDraft } from '../document';
 
 interface TrajectoryConditionsProps {
   conditions: readonly TrajectoryDraft[];

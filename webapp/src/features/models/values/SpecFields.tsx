@@ -1,5 +1,5 @@
 import { Button, Checkbox, Group, NativeSelect, Stack, TextInput } from '@mantine/core';
-import { CLASSES, type ClassDraft, type SpecDraft } from './draft';
+import { CLASSES, type ClassDraft, type SpecDraft } from '../document';
 
 interface SpecFieldsProps {
   spec: SpecDraft;

@@ -1,10 +1,11 @@
 import { Button, Group, NativeSelect, Stack, Text, TextInput, Title } from '@mantine/core';
 import type { Diagnostic, ModelPreview } from '@/shared/api';
 import { Diagnostics, UserText } from '@/shared/ui';
-import { defaultSpec } from './defaults';
-import { SCHEMES, type InputDraft, type ModelDraft } from './draft';
-import classes from './models.module.css';
+import { defaultSpec } from '../defaults';
+import { SCHEMES, type InputDraft, type ModelDraft } from '../document';
+import classes from './values.module.css';
 import { NumberLine } from './NumberLine';
+import { parametersOf, withInput } from '../parameters';
 import { SpecFields } from './SpecFields';
 
 interface SpecificationStepProps {
@@ -26,23 +27,30 @@ const SCHEME_LABELS = {
 
 /** Step 3 (Fig. 14(c)): how the values of each parameter are generated, with a preview. */
 export function SpecificationStep({ draft, preview, onChange }: SpecificationStepProps) {
-  if (draft.inputs.length === 0) {
+  const parameters = parametersOf(draft, preview);
+  if (parameters.length === 0) {
     return <Text c="dimmed">The model varies no parameters: it has a single case.</Text>;
   }
   return (
     <Stack gap="md">
-      {draft.inputs.map((input, index) => (
-        <Element
-          key={input.name}
-          input={input}
-          others={draft.inputs.map(({ name }) => name).filter((name) => name !== input.name)}
-          values={preview?.inputs.find(({ name }) => name === input.name)}
-          problems={problemsOf(input, preview)}
-          onChange={(changed) => {
-            onChange({ ...draft, inputs: draft.inputs.with(index, changed) });
-          }}
-        />
-      ))}
+      {parameters.map((parameter) => {
+        const { call, input, values } = parameter;
+        return (
+          <Element
+            key={`${call} ${input.name}`}
+            input={input}
+            call={call}
+            others={parameters
+              .filter((other) => other.call === call && other.input.name !== input.name)
+              .map((other) => other.input.name)}
+            values={values}
+            problems={problemsOf(input, preview)}
+            onChange={(changed) => {
+              onChange(withInput(draft, parameter, changed));
+            }}
+          />
+        );
+      })}
     </Stack>
   );
 }
@@ -56,25 +64,28 @@ function problemsOf({ name }: InputDraft, preview: ModelPreview | undefined): Di
 
 interface ElementProps {
   input: InputDraft;
+  /** The call of a sequence; empty for an input of the model. */
+  call: string;
   others: readonly string[];
   values: ModelPreview['inputs'][number] | undefined;
   problems: readonly Diagnostic[];
   onChange: (input: InputDraft) => void;
 }
 
-function Element({ input, others, values, problems, onChange }: ElementProps) {
+function Element({ input, call, others, values, problems, onChange }: ElementProps) {
+  const what = call === '' ? input.name : `${input.name} of ${call}`;
   return (
-    <section className={classes.element} aria-label={`Specification of ${input.name}`}>
+    <section className={classes.element} aria-label={`Specification of ${what}`}>
       <Stack gap="sm">
         <Group justify="space-between">
           <Title order={3} size="h5">
-            <UserText>{input.name}</UserText>{' '}
+            <UserText>{what}</UserText>{' '}
             <Text span size="sm" c="dimmed">
               {input.kind}, <UserText>{input.realType}</UserText>
             </Text>
           </Title>
           <NativeSelect
-            aria-label={`Scheme of ${input.name}`}
+            aria-label={`Scheme of ${what}`}
             value={input.spec?.type ?? ''}
             data={[
               { value: '', label: 'Custom values, or all values of the type' },
@@ -102,7 +113,7 @@ function Element({ input, others, values, problems, onChange }: ElementProps) {
         {input.furtherSpecs.map((spec, index) => (
           <Group key={index} align="end">
             <NativeSelect
-              aria-label={`Scheme ${index + 2} of ${input.name}`}
+              aria-label={`Scheme ${index + 2} of ${what}`}
               value={spec.type}
               data={SCHEMES.map((value) => ({ value, label: SCHEME_LABELS[value] }))}
               onChange={(event) => {
@@ -138,7 +149,7 @@ function Element({ input, others, values, problems, onChange }: ElementProps) {
             <Button
               variant="default"
               size="xs"
-              aria-label={`Add a specification to ${input.name}`}
+              aria-label={`Add a specification to ${what}`}
               onClick={() => {
                 onChange({
                   ...input,

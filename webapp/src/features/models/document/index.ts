@@ -1,0 +1,2 @@
+export * from './draft';
+export { readModel, writeModel } from './model';

@@ -1,0 +1,3 @@
+export { CallInputs } from './CallInputs';
+export { CallOutputs } from './CallOutputs';
+export { SequenceStep } from './SequenceStep';

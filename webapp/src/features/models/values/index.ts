@@ -1,0 +1,2 @@
+export { ParameterTable } from './ParameterTable';
+export { SpecificationStep } from './SpecificationStep';
