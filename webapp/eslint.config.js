@@ -4,23 +4,37 @@ import { defineConfig, globalIgnores } from 'eslint/config';
 import tseslint from 'typescript-eslint';
 
 /**
- * Import rules: app may import features and shared, features may import shared. Imports between
+ * Import rules: app may import features and shared, live also the theme of app, features may import shared. Imports between
  * folders use an alias (`@/shared/ui`), so that a rule is a pattern.
  */
 function importRule(folder, ...forbidden) {
+  return rule(`src/${folder}/**/*.{ts,tsx}`, '^\\.\\./', forbidden);
+}
+
+/** Folders of a feature may import from the feature around them. */
+function importRuleInFeatures(...forbidden) {
+  return rule('src/features/*/*/**/*.{ts,tsx}', '^\\.\\./\\.\\./', forbidden);
+}
+
+function rule(files, outside, forbidden) {
   const patterns = [
     {
-      regex: '^\\.\\./',
+      regex: outside,
       message: 'Import other folders by alias: @/shared/NAME, @/features/NAME.',
     },
     { regex: '^@/features/[^/]+/', message: 'Import a feature by its index: @/features/NAME.' },
     ...forbidden,
   ];
   return {
-    files: [`src/${folder}/**/*.{ts,tsx}`],
+    files: [files],
     rules: { 'no-restricted-imports': ['error', { patterns }] },
   };
 }
+
+const ONLY_SHARED = {
+  regex: '^@/(app|features)(/|$)',
+  message: 'Features may only import shared.',
+};
 
 export default defineConfig(
   globalIgnores(['dist/', 'target/', 'src/shared/api/schema.d.ts']),
@@ -41,10 +55,9 @@ export default defineConfig(
     languageOptions: { globals: { process: 'readonly', console: 'readonly' } },
   },
   importRule('app'),
-  importRule('features', {
-    regex: '^@/(app|features)(/|$)',
-    message: 'Features may only import shared.',
-  }),
+  importRule('live'),
+  importRule('features', ONLY_SHARED),
+  importRuleInFeatures(ONLY_SHARED),
   importRule('shared', {
     regex: '^@/(app|features)(/|$)',
     message: 'Shared must not import app or features.',

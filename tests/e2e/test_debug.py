@@ -1,81 +1,18 @@
 """`./sitaf run --case N --debug`: a scripted session of the debugger of each language."""
 
+import json
 import os
-import re
+import shutil
 import signal
-import subprocess
-import threading
-import time
+import socket
+import urllib.error
+import urllib.request
 from pathlib import Path
 
-import pytest
 from needs import gdb
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMIT_S = 300
-
-
-class Terminal:
-    """A command whose output is read while it runs."""
-
-    def __init__(self, *arguments, command=None):
-        self.process = subprocess.Popen(
-            command or [str(ROOT / "sitaf"), *map(str, arguments)],
-            cwd=ROOT,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
-        self.output = ""
-        self._seen = 0
-        self._reader = threading.Thread(target=self._read, daemon=True)
-        self._reader.start()
-
-    def _read(self):
-        while data := os.read(self.process.stdout.fileno(), 65536):
-            self.output += data.decode(errors="replace")
-
-    def expect(self, pattern):
-        """Wait until further output matches."""
-        end = time.monotonic() + LIMIT_S
-        while time.monotonic() < end:
-            running = self._reader.is_alive()
-            if found := re.compile(pattern).search(self.output, self._seen):
-                self._seen = found.end()
-                return found
-            if not running:
-                break
-            time.sleep(0.02)
-        raise AssertionError(
-            f"no output matches {pattern!r} after character {self._seen}:\n{self.output}"
-        )
-
-    def send(self, line):
-        self.process.stdin.write(f"{line}\n".encode())
-        self.process.stdin.flush()
-
-    def end(self):
-        """Close the input and wait for the end; return the exit code."""
-        if not self.process.stdin.closed:
-            self.process.stdin.close()
-        code = self.process.wait(LIMIT_S)
-        self._reader.join(LIMIT_S)
-        return code
-
-
-@pytest.fixture
-def terminal():
-    started = []
-
-    def start(*arguments, command=None):
-        started.append(Terminal(*arguments, command=command))
-        return started[-1]
-
-    yield start
-    for each in started:
-        if each.process.poll() is None:
-            os.killpg(each.process.pid, signal.SIGKILL)
 
 
 def require_the_verdict_of_case_7(debugged):
@@ -179,6 +116,109 @@ def test_another_debugger_attaches(terminal):
     jdb.expect(r"numOfSensor = 2\b")
     jdb.end()
     require_the_verdict_of_case_7(run)
+
+
+class Ide:
+    """A client of the Debug Adapter Protocol, as an IDE is one."""
+
+    def __init__(self, port):
+        self._socket = socket.create_connection(("127.0.0.1", port), LIMIT_S)
+        self._stream = self._socket.makefile("rb")
+        self._sent = 0
+
+    def ask(self, command, **arguments):
+        """Send a request without waiting."""
+        self._sent += 1
+        content = {"seq": self._sent, "type": "request", "command": command, "arguments": arguments}
+        body = json.dumps(content).encode()
+        self._socket.sendall(b"Content-Length: %d\r\n\r\n%s" % (len(body), body))
+
+    def expect(self, kind, name):
+        """The body of the next event, or of the next response to a command, of this name."""
+        while True:
+            length = 0
+            while header := self._stream.readline().strip():
+                length = int(header.split(b":")[1])
+            assert length, "the debugger has closed the connection"
+            message = json.loads(self._stream.read(length))
+            if message["type"] == kind and message[{"event": "event", "response": "command"}[kind]] == name:
+                assert message.get("success", True), message
+                return message.get("body", {})
+
+    def answer(self, command, **arguments):
+        self.ask(command, **arguments)
+        return self.expect("response", command)
+
+    def close(self):
+        self._socket.close()
+
+
+def test_an_ide_debugs_a_python_component(terminal, tmp_path):
+    activity = shutil.copytree(ROOT / "examples" / "ir-sensor-python-faulty", tmp_path / "activity")
+    (activity / "requirements.txt").write_text("debugpy==1.8.22\n")
+    source = activity / "component" / "infrared_sensor.py"
+    lines = source.read_text().splitlines()
+    line = next(i for i, text in enumerate(lines, 1) if "if not 1 <= num_of_sensor" in text)
+    run = terminal("run", activity, "--case", "7", "--debug", "--print-command")
+    port = int(run.expect(r"debugpy to host 127\.0\.0\.1, port (\d+)")[1])
+    local, remote = run.expect(r"path mapping: (\S+) -> (\S+)").groups()
+    assert Path(local) == source.parent
+    run.expect("waits for the debugger")
+    ide = Ide(port)
+    ide.answer("initialize", adapterID="test", pathFormat="path")
+    ide.ask("attach", pathMappings=[{"localRoot": local, "remoteRoot": remote}], justMyCode=False)
+    ide.expect("event", "initialized")
+    ide.answer("setBreakpoints", source={"path": str(source)}, breakpoints=[{"line": line}])
+    ide.answer("configurationDone")
+    stopped = ide.expect("event", "stopped")
+    frame = ide.answer("stackTrace", threadId=stopped["threadId"])["stackFrames"][0]
+    assert (frame["source"]["path"], frame["name"]) == (str(source), "get_infrared_data")
+    value = ide.answer("evaluate", expression="num_of_sensor + 40", frameId=frame["id"], context="watch")
+    assert value["result"] == "42"
+    # The process may end before it answers.
+    ide.ask("continue", threadId=stopped["threadId"])
+    require_the_verdict_of_case_7(run)
+    ide.close()
+
+
+def test_the_scene_of_a_case_that_stands_still_is_served_to_those_who_know_its_address(terminal):
+    pdb = terminal("run", "examples/ir-sensor-python-faulty", "--case", "7", "--debug", "--view")
+    address = pdb.expect(r"scene: (http://127\.0\.0\.1:\d+/[0-9a-f]{32}/)")[1]
+    pdb.expect(r"\(Pdb\) ")
+    with urllib.request.urlopen(address + "case.json") as answer:
+        case = json.load(answer)
+    assert case["no"] == 7
+    assert not case["ended"]
+    assert {"name": "IndexOfSensor", "literal": "2"} in case["inputs"]
+    with urllib.request.urlopen(address + "motion.glb") as answer:
+        assert answer.read(4) == b"glTF"
+        tag = answer.headers["ETag"]
+    unchanged = urllib.request.Request(address + "motion.glb", headers={"If-None-Match": tag})
+    assert status_of(unchanged) == 304
+    root = address.rsplit("/", 2)[0]
+    assert status_of(root + "/case.json") == 404
+    assert status_of(f"{root}/{'0' * 32}/case.json") == 404
+    assert status_of(address + "assets/../live.html") == 404
+    assert status_of(urllib.request.Request(address, headers={"Host": "robot.example"})) == 404
+    pdb.send("continue")
+    require_the_verdict_of_case_7(pdb)
+
+
+def status_of(request):
+    try:
+        with urllib.request.urlopen(request) as answer:
+            return answer.status
+    except urllib.error.HTTPError as error:
+        return error.code
+
+
+def test_a_scene_needs_a_debugger_and_a_world(sitaf):
+    run = sitaf("run", "examples/ir-sensor", "--case", "7", "--view")
+    assert run.returncode == 2
+    assert "--view needs --debug" in run.stderr
+    run = sitaf("run", "examples/heading", "--case", "1", "--debug", "--view")
+    assert run.returncode == 2
+    assert "--view: the activity has no world; leave --view out" in run.stderr
 
 
 def test_one_case_is_needed(sitaf):

@@ -24,6 +24,8 @@ test.each([
   ['src/features/builds/state.ts', '@/features/results'],
   ['src/features/builds/state.ts', '../results'],
   ['src/features/builds/state.ts', '@/app/router'],
+  ['src/features/models/values/NumberLine.tsx', '../../results'],
+  ['src/features/models/values/NumberLine.tsx', '@/features/results'],
   ['src/shared/lib/format.ts', '@/features/results'],
   ['src/shared/lib/format.ts', '@/app/theme'],
   ['src/shared/lib/format.ts', '../../features/results'],
@@ -37,6 +39,7 @@ test.each([
   ['src/app/theme.ts', '@/shared/ui'],
   ['src/features/builds/state.ts', '@/shared/api'],
   ['src/features/builds/state.ts', './queries'],
+  ['src/features/models/values/NumberLine.tsx', '../document'],
   ['src/shared/lib/format.ts', '@/shared/lib/visible'],
 ])('%s may import %s', async (file, module) => {
   expect(await mayImport(file, module)).toBe(true);

@@ -6,3 +6,5 @@ export { RelationReplays } from './RelationReplays';
 export { LiveReplay } from './LiveReplay';
 export { useRecordedCases } from './queries';
 export type { StepMark } from './StepMarks';
+export { Player } from './Player';
+export { readRecording, type Recording } from './recording';

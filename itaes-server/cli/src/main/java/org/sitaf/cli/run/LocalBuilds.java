@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
@@ -29,6 +30,9 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.agent.toolchain.debug.DebugOrder;
+import org.sitaf.cli.debug.DebugSession;
+import org.sitaf.cli.debug.DebuggedCase;
+import org.sitaf.cli.debug.SceneServer;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.terminal.OnExit;
 import org.sitaf.cli.terminal.ProgressLine;
@@ -40,7 +44,6 @@ import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.trajectory.Trace;
-import org.sitaf.core.trajectory.TraceCsv;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 
@@ -167,15 +170,40 @@ public final class LocalBuilds implements AutoCloseable {
   }
 
   /**
+   * Runs a test application without coverage and without printing the progress.
+   *
+   * @param ends receives each result, in any thread; true cancels the build
+   */
+  public BuildOutcome runUntil(
+      Activity activity, TestModel model, TestSuite suite, Predicate<CaseResult> ends) {
+    return start(
+        InterfaceTestApplicationGenerator.generate(
+            activity.withoutTiming(), model.withoutTiming(), suite),
+        settings.withCoverage(false),
+        (CaseObserver)
+            result -> {
+              if (ends.test(result)) {
+                cancel();
+              }
+            });
+  }
+
+  /**
    * Runs a test application whose first process waits for a debugger; the calls are not repeated.
    *
    * @param folder the user's folder of the activity
    * @param session attaches to the process
+   * @param scene shows the case while it runs; null if nobody watches
    * @throws InvalidInputException if this machine lacks the debugger
    */
   BuildOutcome debug(
-      Activity activity, TestModel model, TestSuite suite, Path folder, DebugSession session)
-      throws InterruptedException {
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      Path folder,
+      DebugSession session,
+      @Nullable SceneServer scene)
+      throws IOException, InterruptedException {
     settings
         .toolchains()
         .of(activity.profile().harness())
@@ -195,8 +223,8 @@ public final class LocalBuilds implements AutoCloseable {
         start(
             InterfaceTestApplicationGenerator.generate(
                 activity.withoutTiming(), model.withoutTiming(), suite),
-            settings(model).debugged(order),
-            new DebugSteps(folders.signalsOf(model)));
+            (scene == null ? settings(model) : watched(model)).debugged(order),
+            new DebuggedCase(new SignalFolder(folders.signalsOf(model))::write, scene));
     if (!(outcome instanceof BuildOutcome.Cancelled)) {
       session.awaitEnd();
     }
@@ -251,8 +279,12 @@ public final class LocalBuilds implements AutoCloseable {
       return start(
           application,
           with,
-          new Steps(
-              model.name(), suite.cases().size(), progress, folders.signalsOf(model), signals));
+          new BuildProgress(
+              model.name(),
+              suite.cases().size(),
+              progress,
+              new SignalFolder(folders.signalsOf(model)),
+              signals));
     }
   }
 
@@ -279,16 +311,24 @@ public final class LocalBuilds implements AutoCloseable {
   }
 
   private BuildSettings settings(TestModel model) {
-    BuildSettings sampled = folders.signals() == null ? settings : settings.withSignals();
     Path recordings = folders.recordings();
-    return recordings == null
-        ? sampled
-        : sampled.recording(
+    return recordings == null ? sampled() : recorded(recordings.resolve(model.name()));
+  }
+
+  /** Only what is recorded can be watched. */
+  private BuildSettings watched(TestModel model) throws IOException {
+    return folders.recordings() == null ? recorded(folder("watched")) : settings(model);
+  }
+
+  private BuildSettings sampled() {
+    return folders.signals() == null ? settings : settings.withSignals();
+  }
+
+  private BuildSettings recorded(Path folder) {
+    return sampled()
+        .recording(
             new RecordingOrder(
-                recordings.resolve(model.name()),
-                RecordingOrder.Cases.ALL,
-                Integer.MAX_VALUE,
-                RECORDED_BYTES));
+                folder, RecordingOrder.Cases.ALL, Integer.MAX_VALUE, RECORDED_BYTES));
   }
 
   private void cancel() {
@@ -344,85 +384,6 @@ public final class LocalBuilds implements AutoCloseable {
     @Override
     default void recorded(int no, Path recording) {
       // Nothing is recorded.
-    }
-  }
-
-  private static void writeSignals(@Nullable Path folder, int no, Trace trace) {
-    if (folder != null) {
-      try {
-        Files.createDirectories(folder);
-        Files.writeString(folder.resolve(no + ".csv"), TraceCsv.write(trace));
-      } catch (IOException e) {
-        throw new UncheckedIOException("cannot write the signals of case " + no, e);
-      }
-    }
-  }
-
-  /** Prints nothing: the terminal belongs to the debugger. */
-  private record DebugSteps(@Nullable Path folder) implements CaseObserver {
-    @Override
-    public void signals(int no, Trace trace) {
-      writeSignals(folder, no, trace);
-    }
-
-    @Override
-    public void caseFinished(CaseResult result) {
-      // The result is printed after the debugger has ended.
-    }
-  }
-
-  private record Steps(
-      String model,
-      int total,
-      ProgressLine progress,
-      @Nullable Path folder,
-      BiConsumer<Integer, Trace> observer,
-      AtomicInteger done)
-      implements BuildListener {
-    Steps(
-        String model,
-        int total,
-        ProgressLine progress,
-        @Nullable Path folder,
-        BiConsumer<Integer, Trace> observer) {
-      this(model, total, progress, folder, observer, new AtomicInteger());
-    }
-
-    @Override
-    public void signals(int no, Trace trace) {
-      writeSignals(folder, no, trace);
-      observer.accept(no, trace);
-    }
-
-    @Override
-    public void stage(BuildStage stage) {
-      progress.step(
-          model
-              + switch (stage) {
-                case PREPARING -> ": preparing the simulation";
-                case COMPILING -> ": compiling";
-                case RUNNING -> ": running " + total + (total == 1 ? " case" : " cases");
-              });
-    }
-
-    @Override
-    public void progress(String text) {
-      progress.step(model + ": " + text);
-    }
-
-    @Override
-    public void log(byte[] utf8) {
-      // The output of a component is not printed; error messages contain its last line.
-    }
-
-    @Override
-    public void caseFinished(CaseResult result) {
-      progress.done(done.incrementAndGet(), total);
-    }
-
-    @Override
-    public void recorded(int no, Path recording) {
-      // The recording is already in its destination folder.
     }
   }
 }

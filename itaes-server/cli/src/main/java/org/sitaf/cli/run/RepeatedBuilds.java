@@ -68,12 +68,10 @@ public record RepeatedBuilds(LocalBuilds builds, CaseOptions options, PrintWrite
   }
 
   /** Prints the cases whose verdicts or values differ between the runs, and why. */
-  static void print(Ended ended, PrintWriter out) {
-    int runs = ended.runs().count();
+  static void print(int runs, List<FlakyCase> flaky, PrintWriter out) {
     if (runs < 2) {
       return;
     }
-    List<FlakyCase> flaky = ended.flaky();
     if (flaky.isEmpty()) {
       out.println("in " + runs + " runs each case had the same verdict and the same values");
     } else {

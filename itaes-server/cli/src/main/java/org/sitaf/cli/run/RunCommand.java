@@ -14,6 +14,10 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.cli.Sitaf;
+import org.sitaf.cli.debug.DebugOptions;
+import org.sitaf.cli.debug.DebugSession;
+import org.sitaf.cli.debug.SceneServer;
+import org.sitaf.cli.debug.WatchedCase;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.SuiteCache;
 import org.sitaf.cli.file.UserFiles;
@@ -26,6 +30,7 @@ import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.flaky.FlakyCase;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.TestSuite;
@@ -51,6 +56,9 @@ import picocli.CommandLine.Spec;
 public final class RunCommand implements Callable<Integer> {
   private static final int TEST_FAILED = 1;
   private static final int MAX_ROWS = 100;
+
+  /** The build and the further runs that a server accepts. */
+  private static final int MAX_REMOTE_RUNS = 101;
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -108,16 +116,19 @@ public final class RunCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     requireWritable();
     remote.check(spec);
-    debugging.check(spec, remote.isRemote(), cases, sandbox.isRequired());
+    debugging.check(spec, remote.isRemote(), cases.areRepeated(), sandbox.isRequired());
     if (remote.isRemote() && generation.changesModel()) {
       throw new CommandLine.ParameterException(
           spec.commandLine(),
           "--strength, --max-cases and --effort are not available with --server; set"
               + " order_of_combinations and max_cases in the model");
     }
-    if (remote.isRemote() && cases.areRepeated()) {
+    if (remote.isRemote() && (cases.untilFailure || cases.runs() > MAX_REMOTE_RUNS)) {
       throw new CommandLine.ParameterException(
-          spec.commandLine(), "--repeat and --until-failure are not available with --server");
+          spec.commandLine(),
+          cases.untilFailure
+              ? "--until-failure is not available with --server; use --repeat"
+              : "--repeat must be at most " + MAX_REMOTE_RUNS + " with --server");
     }
     FileTree files = UserFiles.folder(arguments.folder());
     Activity activity = Installation.read(files);
@@ -146,16 +157,24 @@ public final class RunCommand implements Callable<Integer> {
       for (TestModel model : models) {
         try {
           Optional<RemoteRun.Ended> ended =
-              run.test(model.name(), generation.seed(), suite -> selection.of(model, suite));
+              run.test(
+                  model.name(),
+                  generation.seed(),
+                  suite -> selection.of(model, suite),
+                  cases.runs());
           if (ended.isEmpty()) {
             reportNothingToRun(model, err);
             continue;
           }
           TestResult result = ended.get().result();
           print(result, out);
+          RepeatedBuilds.print(cases.runs(), ended.get().flaky(), out);
           last.keep(arguments.folder(), model, result, ended.get().whole());
           results.add(result);
           exitCode = worse(exitCode, exitCode(result));
+          if (ended.get().flaky().stream().anyMatch(FlakyCase::failed)) {
+            exitCode = TEST_FAILED;
+          }
         } catch (InvalidInputException e) {
           Sitaf.print(e.diagnostics(), err);
           exitCode = worse(exitCode, Sitaf.UNUSABLE);
@@ -173,7 +192,7 @@ public final class RunCommand implements Callable<Integer> {
     CaseSelection selection = new CaseSelection(cases, last, arguments.folder());
     List<TestModel> models = selection.models(arguments.modelsOf(activity));
     if (debugging.debug) {
-      DebugOptions.only(activity, models);
+      debugging.only(activity, models);
     }
     SuiteCache suites = new SuiteCache(state.resolve("suites"));
     int withWorld =
@@ -208,7 +227,7 @@ public final class RunCommand implements Callable<Integer> {
           ended.warnings().forEach(w -> err.println(Printable.lines(w, "  ")));
           err.flush();
           print(result.get(), out);
-          RepeatedBuilds.print(ended, out);
+          RepeatedBuilds.print(ended.runs().count(), ended.flaky(), out);
           results.add(result.get());
           last.keep(arguments.folder(), model, result.get(), selected == generated.suite());
           exitCode = worse(exitCode, exitCode(result.get()));
@@ -242,7 +261,7 @@ public final class RunCommand implements Callable<Integer> {
       List<TestResult> results,
       PrintWriter out,
       PrintWriter err)
-      throws InterruptedException {
+      throws IOException, InterruptedException {
     err.println(
         model.name()
             + ": debugging case "
@@ -250,8 +269,17 @@ public final class RunCommand implements Callable<Integer> {
             + "; the component runs without a sandbox");
     err.flush();
     BuildOutcome outcome;
-    try (DebugSession session = new DebugSession(debugging.printCommand, err)) {
-      outcome = builds.debug(activity, model, suite, arguments.folder(), session);
+    try (SceneServer scene =
+            debugging.view
+                ? new SceneServer(
+                    WatchedCase.of(activity.profile().name(), model, suite.cases().get(0)))
+                : null;
+        DebugSession session = new DebugSession(debugging.printCommand, err)) {
+      if (scene != null) {
+        err.println("scene: " + scene.address());
+        err.flush();
+      }
+      outcome = builds.debug(activity, model, suite, arguments.folder(), session, scene);
     }
     if (!(outcome instanceof BuildOutcome.Completed completed)) {
       print(outcome, err);

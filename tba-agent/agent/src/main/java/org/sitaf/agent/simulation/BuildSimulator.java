@@ -72,6 +72,13 @@ public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulato
   @Nullable HardwareReport takeHardwareReport(int no) throws SimulatorException;
 
   /**
+   * The recorded motion of the case that runs; see {@link LiveMotion}.
+   *
+   * @throws SimulatorException if the simulator does not answer
+   */
+  Optional<LiveMotion.Motion> motion(long known) throws SimulatorException;
+
+  /**
    * Opens an endpoint for one process of a test application; call {@link #check} first.
    *
    * @throws SimulatorException if no simulator answers and none can be started

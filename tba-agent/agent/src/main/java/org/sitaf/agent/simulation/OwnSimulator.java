@@ -135,6 +135,20 @@ final class OwnSimulator implements BuildSimulator {
   }
 
   @Override
+  public Optional<LiveMotion.Motion> motion(long known) throws SimulatorException {
+    for (Endpoint endpoint : open) {
+      if (!endpoint.hasEnded()) {
+        Optional<LiveMotion.Motion> motion =
+            endpoint.bridge().client().motion(endpoint.name(), known);
+        if (motion.isPresent()) {
+          return motion;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  @Override
   public synchronized SimulatorEndpoint open() throws SimulatorException, InterruptedException {
     World offered = world;
     if (offered == null) {

@@ -48,6 +48,11 @@ final class SharedSimulator implements BuildSimulator {
   }
 
   @Override
+  public Optional<LiveMotion.Motion> motion(long known) {
+    return Optional.empty();
+  }
+
+  @Override
   public List<String> use(HardwareOrder order) throws SimulatorException {
     throw new SimulatorException(
         "real and recorded devices need a simulator that serves this build only, but the one at "

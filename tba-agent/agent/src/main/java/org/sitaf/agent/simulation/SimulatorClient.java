@@ -26,6 +26,8 @@ import org.sitaf.sim.v1.GetSimulatorFeaturesRequest;
 import org.sitaf.sim.v1.GetSimulatorFeaturesResponse;
 import org.sitaf.sim.v1.OpenEndpointRequest;
 import org.sitaf.sim.v1.OpenEndpointResponse;
+import org.sitaf.sim.v1.ShowMotionRequest;
+import org.sitaf.sim.v1.ShowMotionResponse;
 import org.sitaf.sim.v1.Signal;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.SimulatorAdministrationGrpc;
@@ -171,6 +173,34 @@ public final class SimulatorClient implements AutoCloseable {
       return Optional.of(new Trace(taken.getFirstNs(), taken.getTimestepNs(), names, columns));
     } catch (IllegalArgumentException e) {
       throw new SimulatorException("the signals are not complete: " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * The recorded motion of the session of an endpoint, which goes on.
+   *
+   * @return empty if nothing changed since the known version, or nothing is recorded
+   * @throws SimulatorException if the bridge does not answer
+   */
+  Optional<LiveMotion.Motion> motion(String endpoint, long known) throws SimulatorException {
+    try {
+      ShowMotionResponse shown =
+          SimulatorAdministrationGrpc.newBlockingStub(channel)
+              .withMaxInboundMessageSize(MAX_SIGNAL_BYTES)
+              .withDeadlineAfter(SHORT_DEADLINE_S, TimeUnit.SECONDS)
+              .showMotion(
+                  ShowMotionRequest.newBuilder().setName(endpoint).setKnownVersion(known).build());
+      return shown.getGltf().isEmpty()
+          ? Optional.empty()
+          : Optional.of(new LiveMotion.Motion(shown.getGltf().toByteArray(), shown.getVersion()));
+    } catch (StatusRuntimeException e) {
+      return switch (e.getStatus().getCode()) {
+        // A long step runs, or the case has not begun, has ended, or diverged.
+        case DEADLINE_EXCEEDED, NOT_FOUND, FAILED_PRECONDITION, DATA_LOSS -> Optional.empty();
+        case RESOURCE_EXHAUSTED ->
+            throw new SimulatorException(String.valueOf(e.getStatus().getDescription()), e);
+        default -> throw noAnswer(e);
+      };
     }
   }
 

@@ -6,7 +6,7 @@ import java.io.IOException;
 public final class SimulatorException extends IOException {
   private static final long serialVersionUID = 1L;
 
-  SimulatorException(String message) {
+  public SimulatorException(String message) {
     super(message);
   }
 

@@ -1,4 +1,4 @@
-package org.sitaf.cli.run;
+package org.sitaf.cli.debug;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -13,7 +13,7 @@ import org.sitaf.cli.terminal.Printable;
  * Starts a debugger in this terminal when the process of a test application waits for one, or
  * prints how another one attaches.
  */
-final class DebugSession implements AutoCloseable {
+public final class DebugSession implements AutoCloseable {
   private static final Duration POLL = Duration.ofMillis(10);
 
   private final boolean printOnly;
@@ -28,7 +28,7 @@ final class DebugSession implements AutoCloseable {
    *
    * @param printOnly whether another debugger is used
    */
-  DebugSession(boolean printOnly, PrintWriter err) {
+  public DebugSession(boolean printOnly, PrintWriter err) {
     this.printOnly = printOnly;
     this.err = err;
     if (printOnly) {
@@ -37,12 +37,12 @@ final class DebugSession implements AutoCloseable {
   }
 
   /** Whether another debugger is used. */
-  boolean isPrintOnly() {
+  public boolean isPrintOnly() {
     return printOnly;
   }
 
   /** Attaches to a process, in another thread. */
-  synchronized void attach(Debuggee debuggee) {
+  public synchronized void attach(Debuggee debuggee) {
     thread = new Thread(() -> run(debuggee), "sitaf-debugger");
     thread.setDaemon(true);
     thread.start();
@@ -95,7 +95,7 @@ final class DebugSession implements AutoCloseable {
   }
 
   /** The case has ended: waits until the user leaves the debugger. */
-  void awaitEnd() throws InterruptedException {
+  public void awaitEnd() throws InterruptedException {
     Thread waiting;
     synchronized (this) {
       caseEnded = true;

@@ -1,4 +1,4 @@
-package org.sitaf.cli.run;
+package org.sitaf.cli.debug;
 
 import java.util.List;
 import org.sitaf.core.activity.Activity;
@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
 /** Whether the component is debugged. */
-final class DebugOptions {
+public final class DebugOptions {
   @Option(
       names = "--debug",
       description = {
@@ -18,26 +18,37 @@ final class DebugOptions {
             + " under test begins.",
         "Simulation time stands still meanwhile. The component runs without a sandbox."
       })
-  boolean debug;
+  public boolean debug;
 
   @Option(
       names = "--print-command",
       description =
           "With --debug: prints what another debugger, such as that of an IDE, needs to attach, and"
               + " waits for it.")
-  boolean printCommand;
+  public boolean printCommand;
+
+  @Option(
+      names = "--view",
+      description =
+          "With --debug: serves a page that shows the scene of the case while it runs or stands"
+              + " still, for a browser on this machine.")
+  public boolean view;
 
   /**
    * Checks the combination with the other options.
    *
    * @param server whether the cases run on a server
-   * @param cases selection of the cases
+   * @param repeated whether the cases run several times
    * @param sandboxRequired whether the component may run in a sandbox only
    */
-  void check(CommandSpec command, boolean server, CaseOptions cases, boolean sandboxRequired) {
+  public void check(
+      CommandSpec command, boolean server, boolean repeated, boolean sandboxRequired) {
     if (printCommand && !debug) {
       throw new CommandLine.ParameterException(
           command.commandLine(), "--print-command needs --debug");
+    }
+    if (view && !debug) {
+      throw new CommandLine.ParameterException(command.commandLine(), "--view needs --debug");
     }
     if (!debug) {
       return;
@@ -46,7 +57,7 @@ final class DebugOptions {
       throw new CommandLine.ParameterException(
           command.commandLine(), "--debug is not available with --server; run the case here");
     }
-    if (cases.repeat != null || cases.untilFailure) {
+    if (repeated) {
       throw new CommandLine.ParameterException(
           command.commandLine(),
           "--debug runs a case once; leave out --repeat and --until-failure");
@@ -64,7 +75,11 @@ final class DebugOptions {
    *
    * @throws InvalidInputException if it cannot be debugged
    */
-  static TestModel only(Activity activity, List<TestModel> models) {
+  public TestModel only(Activity activity, List<TestModel> models) {
+    if (view && activity.profile().world() == null) {
+      throw InvalidInputException.of(
+          "activity.yaml", "--view: the activity has no world; leave --view out");
+    }
     if (activity.ros() != null) {
       throw InvalidInputException.of(
           "activity.yaml", "--debug: ROS 2 nodes cannot be debugged; test them without --debug");
@@ -83,7 +98,7 @@ final class DebugOptions {
    *
    * @throws InvalidInputException if there are several or none
    */
-  static void requireOneCase(TestModel model, TestSuite selected) {
+  public static void requireOneCase(TestModel model, TestSuite selected) {
     int count = selected.cases().size();
     if (count != 1) {
       throw InvalidInputException.of(
