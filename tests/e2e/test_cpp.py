@@ -97,6 +97,69 @@ def test_a_sanitizer_finds_a_write_beyond_the_end(sitaf, tmp_path):
     assert f"heap-buffer-overflow at moving_average.cpp:{line}" in run.stdout
 
 
+DRIVE = {
+    "activity.yaml": """name: wheels
+component: {language: cpp, sources: component/, class: Base}
+provided: [Wheels.idl]
+world: world/base.world.yaml
+models: [Drive.xml]
+""",
+    "Wheels.idl": "interface Wheels { boolean Drive(in double linear, in double angular); };\n",
+    "component/base.hpp": """#pragma once
+#include <stdexcept>
+#include "sitaf/hardware.hpp"
+class Base {
+ public:
+  explicit Base(sitaf::Hardware& hardware) : base_(hardware.differentialDrive("base")) {}
+  bool Drive(double linear, double angular) {
+    try {
+      base_.drive(linear, angular);
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  }
+
+ private:
+  sitaf::DifferentialDrive& base_;
+};
+""",
+    "component/base.cpp": '#include "base.hpp"\n',
+    "world/base.xml": """<mujoco><option timestep="0.002"/><worldbody><body><freejoint/><geom size="0.1"/>
+<body pos="0 0.2 0"><joint name="l" axis="0 1 0"/><geom size="0.1"/></body>
+<body pos="0 -0.2 0"><joint name="r" axis="0 1 0"/><geom size="0.1"/></body></body></worldbody>
+<actuator><velocity name="l" joint="l" ctrlrange="-10 10"/><velocity name="r" joint="r" ctrlrange="-10 10"/></actuator>
+</mujoco>""",
+    "world/base.world.yaml": """mjcf: base.xml
+devices:
+  base: {kind: differential_drive, left: l, right: r, wheel_radius: 0.1, track: 0.4}
+""",
+    "Drive.xml": """<test_model><name>Drive</name><target interface="Wheels" method="Drive" run_for="0.1"/><input_spec_list>
+<test_element abstract_type="NUMERIC" real_type="double"><name>linear</name><type>TDI</type>
+<test_spec type="RANDOM" count="12" min="-1.3" max="1.3"/><user_value_list><value>0.5</value></user_value_list>
+</test_element><test_element abstract_type="NUMERIC" real_type="double"><name>angular</name><type>TDI</type>
+<test_spec type="RANDOM" count="12" min="-5" max="5"/><user_value_list><value>0</value></user_value_list>
+</test_element></input_spec_list><output_spec_list>
+<test_element abstract_type="BOOLEAN" real_type="boolean"><name>return</name><type>RETURN</type>
+<expected>abs(linear) + abs(angular) * 0.2 &lt;= 1.0</expected></test_element></output_spec_list>
+<order_of_combinations>2</order_of_combinations></test_model>
+""",
+}
+
+
+@cpp
+def test_a_drive_is_refused_where_one_of_its_wheels_is_too_slow(sitaf, tmp_path):
+    for name, content in DRIVE.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(content)
+    run = sitaf("run", tmp_path, "--result", tmp_path / "result")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "Drive: 169 cases, 169 PASS" in run.stdout
+    root = ElementTree.parse(tmp_path / "result" / "Drive.xml").getroot()
+    accepted = [actual.text for actual in root.iter("actual")]
+    assert min(accepted.count("true"), accepted.count("false")) > 30
+
+
 @cpp
 def test_warnings_and_the_own_frame_of_a_crash_are_shown(sitaf, cpp_activity):
     source = cpp_activity / "component" / "infrared_sensor.cpp"

@@ -22,6 +22,16 @@ def test_a_relation_explains_the_faulty_sensor_and_its_bundle_replays(sitaf, tmp
     assert "the verdict and the outputs are the same as in the bundle" in replay.stdout
 
 
+def test_a_ros_node_is_explained_and_its_bundle_replays(sitaf, tmp_path):
+    """Its interface files are those of the installation, which are not part of the activity."""
+    run = sitaf("explain", "examples/wall-stop-ros-faulty", "--cases", "5", "--bundles", tmp_path)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "fails where `start.data` is 0.4, whatever the rest" in run.stdout
+    replay = sitaf("replay", next(tmp_path.glob("*.zip")))
+    assert replay.returncode == 0, replay.stdout + replay.stderr
+    assert "the verdict and the outputs are the same as in the bundle" in replay.stdout
+
+
 def test_nothing_is_explained_if_no_case_failed(sitaf, tmp_path):
     run = sitaf("explain", "examples/heading", "--json", tmp_path / "causes.json")
     assert run.returncode == 0, run.stdout + run.stderr

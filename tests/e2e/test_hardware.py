@@ -12,6 +12,7 @@ from pathlib import Path
 
 import grpc
 import pytest
+from needs import socat
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "contract"))
 
@@ -75,6 +76,7 @@ def run_with(sitaf, tmp_path, name, address, **replaced):
     return sitaf("run", folder)
 
 
+@socat
 def test_a_range_finder_on_a_serial_line_passes_and_the_faulty_component_fails(sitaf, tmp_path):
     with running(lambda address: example("serial-range", address)) as (_, address):
         sound = run_with(sitaf, tmp_path, "serial-range", address, jitter_ms=5000, max_age_s=5)

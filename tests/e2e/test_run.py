@@ -8,6 +8,8 @@ import subprocess
 import time
 import xml.etree.ElementTree as ElementTree
 
+import pytest
+
 
 def replace(path, old, new):
     text = path.read_text()
@@ -68,6 +70,20 @@ def test_single_cases_and_those_that_failed_run_again(sitaf, tmp_path):
     assert "run 1" in again.stderr and "run 2" not in again.stderr
     assert "GetInfraredData: 5 cases, 0 PASS, 5 FAIL" in again.stdout
     assert "GetInfraredData: 5 cases, 0 PASS, 5 FAIL" in sitaf("run", example, "--failed").stdout
+
+
+@pytest.mark.parametrize("name", ["motor-jitter", "error-with-lambda"])
+def test_unstable_components_are_told_from_stable_ones(sitaf, name):
+    """Of `./sitaf bench flaky`: commands at random, and an error whose message has an address."""
+    run = sitaf("bench", "flaky", "--only", name)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "1 components in" in run.stdout
+
+
+@pytest.mark.long  # Two components of the table are tests of their own.
+def test_a_part_of_the_table_of_unstable_components_is_attributed_rightly(sitaf):
+    run = sitaf("bench", "flaky", "--short")
+    assert run.returncode == 0, run.stdout + run.stderr
 
 
 def test_a_case_that_does_not_exist_is_reported(sitaf):

@@ -74,6 +74,32 @@ def test_failed_cases_have_the_same_exit_code_remotely(sitaf, server):
     assert "GetInfraredData: 55 cases, 50 PASS, 5 FAIL" in run.stdout
 
 
+def test_cases_that_differ_between_remote_runs_are_listed_and_fail(sitaf, server, activity):
+    component = next(activity.glob("component/**/InfraredSensor.java"))
+    source = component.read_text()
+    measured = re.search(r"(?m)^ *double .*\.range\(\);$", source).group()
+    component.write_text(source.replace(measured, measured + "\n    range += System.nanoTime() % 1_000_003;"))
+    run = sitaf(
+        "run", activity, "--server", server.address, "--case", "1-3", "--repeat", "3",
+        env={"SITAF_TOKEN": server.token},
+    )
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "not reproducible in 3 runs:" in run.stdout
+    assert re.search(r"case 1: FAIL FAIL FAIL; the component: its readings are equal, and what it", run.stdout), run.stdout
+
+
+def test_equal_remote_runs_pass(sitaf, server):
+    run = sitaf(
+        "run", "examples/ir-sensor", "--server", server.address, "--case", "1-3", "--repeat", "2",
+        env={"SITAF_TOKEN": server.token},
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "in 2 runs each case had the same verdict and the same values" in run.stdout
+    run = sitaf("run", "examples/ir-sensor", "--server", server.address, "--repeat", "102")
+    assert run.returncode == 2
+    assert "--repeat must be at most 101 with --server" in run.stderr
+
+
 def test_a_remote_compiler_error_is_reported_with_file_and_line(sitaf, server, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     lines = source.read_text().splitlines()

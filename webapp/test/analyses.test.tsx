@@ -154,6 +154,18 @@ describe('the score of a specification', () => {
         survivors: [{ fault: 'return: sign', where: 'return', suggestion: 'expect a value' }],
         outputs: [{ output: 'return', changed: 10, noticed: 9 }],
         warnings: [],
+        mutations: {
+          made: 7,
+          noticed: 3,
+          survivors: [
+            {
+              fault: 'component/Arm.java:12: < replaced by <=',
+              where: 'component/Arm.java:12',
+              suggestion: 'case 3: return is 5.0 instead of 4.5',
+            },
+          ],
+          unchanged: ['component/Arm.java:20: call of close left out'],
+        },
       },
     });
     openPortal(server, '/builds/b1?tab=score');
@@ -161,5 +173,62 @@ describe('the score of a specification', () => {
     expect(await screen.findByText('90.0 %')).toBeVisible();
     const survivors = screen.getByRole('group', { name: 'Faults that are not noticed' });
     expect(within(survivors).getByText('expect a value')).toBeVisible();
+    expect(screen.getByText('50.0 %')).toBeVisible();
+    const mutations = screen.getByRole('group', { name: 'Mutations that are not noticed' });
+    expect(within(mutations).getByText('case 3: return is 5.0 instead of 4.5')).toBeVisible();
+    expect(screen.getByText('component/Arm.java:20: call of close left out')).toBeInTheDocument();
+  });
+});
+
+describe('flaky cases', () => {
+  test('are found by further runs, and shown with the verdict of each', async () => {
+    const cases = [resultCase(1, 'FAIL'), resultCase(2, 'PASS')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    server.requestedAnalysis = analysis({
+      repetition: {
+        runs: 3,
+        count: 1,
+        cases: [
+          {
+            no: 1,
+            cause: 'COMPONENT',
+            verdicts: ['FAIL', 'PASS', 'PASS', 'ERROR'],
+            reason: 'its readings are equal until it gives other commands at 0.12 s',
+          },
+        ],
+      },
+    });
+    openPortal(server, '/builds/b1?tab=flaky');
+    const runs = await screen.findByLabelText(/^Further runs/);
+    await userEvent.clear(runs);
+    await userEvent.type(runs, '3');
+    await userEvent.click(screen.getByRole('button', { name: 'Run repeatedly' }));
+    const table = await screen.findByRole('table', { name: 'Flaky cases' });
+    expect(server.analysisRequests).toEqual([{ runs: 3 }]);
+    expect(screen.getByText('1 case is not reproducible in 3 further runs.')).toBeVisible();
+    expect(within(table).getByRole('img', { name: 'FAIL, PASS, PASS, ERROR' })).toBeVisible();
+    expect(within(table).getByText('Component')).toBeVisible();
+    expect(within(table).getByText(/at 0.12 s$/)).toBeVisible();
+    expect(within(table).getByRole('link', { name: '1' })).toHaveAttribute(
+      'href',
+      '/builds/b1?case=1',
+    );
+  });
+
+  test('are none if all runs are equal', async () => {
+    const cases = [resultCase(1, 'PASS')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    server.analyses.set(
+      'b1 repetition',
+      analysis({ repetition: { runs: 10, count: 0, cases: [] } }),
+    );
+    openPortal(server, '/builds/b1?tab=flaky');
+    expect(
+      await screen.findByText(
+        'In 10 further runs each case had the same verdict and the same values.',
+      ),
+    ).toBeVisible();
   });
 });

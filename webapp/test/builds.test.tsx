@@ -105,6 +105,15 @@ describe('a build', () => {
     vi.unstubAllGlobals();
   });
 
+  test('says how long its other cases will take', async () => {
+    const minuteAgo = new Date(Date.now() - 60_000).toISOString();
+    server.builds.push(
+      build('b1', { state: 'RUNNING', started: minuteAgo, casesDone: 10, casesTotal: 55 }),
+    );
+    openPortal(server, '/builds/b1');
+    expect(await screen.findByText(/^10 of 55 cases, about (4|5) min left$/)).toBeVisible();
+  });
+
   test('is started from an activity, shown live, and ends with the table of its result', async () => {
     server.activities.push(activity('a1'));
     const { user, history } = openPortal(server, '/activities');

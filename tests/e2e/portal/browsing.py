@@ -201,8 +201,23 @@ class Proxy:
             target.shutdown(socket.SHUT_WR)
 
 
+# Done when two frames in a row show no transition or animation that still runs: a drawer that fades in is mounted a frame
+# before its transition starts. Those without an end, of a loader, are not waited for.
+STILL = """async () => {
+  const moves = () => document.getAnimations().filter((a) =>
+    a.playState === "running" && Number.isFinite(a.effect?.getComputedTiming().endTime));
+  for (let still = 0; still < 2;) {
+    await new Promise(requestAnimationFrame);
+    const moving = moves();
+    still = moving.length ? 0 : still + 1;
+    await Promise.allSettled(moving.map((a) => a.finished));
+  }
+}"""
+
+
 def serious(page):
-    """The serious and critical violations that axe finds on the page."""
+    """The serious and critical violations that axe finds on the page once its transitions have ended."""
     page.evaluate(AXE.read_text())
+    page.evaluate(STILL)
     found = page.evaluate("async () => (await axe.run(document)).violations")
     return [(v["id"], [n["html"][:200] for n in v["nodes"]]) for v in found if v["impact"] in ("serious", "critical")]

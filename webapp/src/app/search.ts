@@ -44,6 +44,7 @@ export const BUILD_TABS = [
   'table',
   'states',
   'score',
+  'flaky',
   'graphs',
   'coverage',
   'log',

@@ -67,11 +67,14 @@ const NOUNS = [
   'models',
   'not-comparable',
   'preview',
+  'proposals',
   'recordings',
+  'repetition',
   'result',
   'run',
   'schedules',
   'score',
+  'sequences',
   'session',
   'signals',
   'suites',
@@ -100,7 +103,9 @@ export class FakeServer {
   readonly caseLogs = new Map<string, string>();
   /** Binary glTF by build and case: `b1 7`. */
   readonly recordings = new Map<string, Uint8Array>();
-  /** Explanations and scores: `b1 explanation`. */
+  /** Bodies of requests for analyses. */
+  readonly analysisRequests: unknown[] = [];
+  /** Explanations, scores and repetitions: `b1 explanation`. */
   readonly analyses = new Map<string, BuildAnalysis>();
   /** The analysis that a request gets. */
   requestedAnalysis: BuildAnalysis | undefined;
@@ -123,7 +128,9 @@ export class FakeServer {
   /** Documents for which a preview was requested. */
   readonly previews: string[] = [];
   /** What a preview answers. */
-  preview: ModelPreview = { inputs: [], diagnostics: [] };
+  preview: ModelPreview = { inputs: [], calls: [], diagnostics: [] };
+  /** The document of a proposed model of sequences. */
+  proposal = '';
   description: ActivityDescription = { provided: [], required: [], warnings: [] };
   /** Zip files whose problems were requested. */
   readonly checks: Buffer[] = [];
@@ -266,6 +273,7 @@ export class FakeServer {
       this.previews.push(body.toString());
       return { status: 200, json: this.preview };
     },
+    'GET activities * proposals sequences': () => ({ status: 200, text: this.proposal }),
     'POST activity-checks': ({ body }) => {
       this.checks.push(body);
       return { status: 200, json: { diagnostics: this.problems } };
@@ -280,6 +288,13 @@ export class FakeServer {
     'POST builds * score': ({ path }) => {
       if (!this.requestedAnalysis) return conflict();
       this.analyses.set(`${path[1]} score`, this.requestedAnalysis);
+      return { status: 201, json: this.requestedAnalysis };
+    },
+    'GET builds * repetition': ({ path }) => found(this.analyses.get(`${path[1]} repetition`)),
+    'POST builds * repetition': ({ path, body }) => {
+      if (!this.requestedAnalysis) return conflict();
+      this.analysisRequests.push(JSON.parse(body.toString()));
+      this.analyses.set(`${path[1]} repetition`, this.requestedAnalysis);
       return { status: 201, json: this.requestedAnalysis };
     },
     'POST builds * explanation causes * run': () => ({ status: 201, json: { id: 'b2' } }),
@@ -416,8 +431,10 @@ export class FakeServer {
       if (query.get('order') === 'NEWEST') items.reverse();
       return { status: 200, json: pageOf(items, query) };
     },
-    'GET builds * cases * signals': ({ path }) =>
-      found(this.signals.get(`${path[1] ?? ''} ${path[3] ?? ''}`)),
+    'GET builds * cases * signals': ({ path }) => {
+      const signals = this.signals.get(`${path[1] ?? ''} ${path[3] ?? ''}`);
+      return signals ? { status: 200, json: signals } : { status: 204 };
+    },
     'GET builds * recordings *': ({ path }) => {
       const bytes = this.recordings.get(`${path[1] ?? ''} ${path[3] ?? ''}`);
       return bytes ? { status: 200, bytes } : notFound();

@@ -73,6 +73,7 @@ export function suiteCases(count: number): SuiteCase[] {
     valid: index % 2 === 0,
     values: [String(index % 7), '4', '5.0'],
     expected: { return: '5.0' },
+    steps: [],
   }));
 }
 

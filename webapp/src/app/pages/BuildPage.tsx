@@ -5,7 +5,7 @@ import { BuildAgain, RunCaseAgain } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type BuildSearch, type BuildTab } from '@/app/search';
-import { CausePanel, ScorePanel } from '@/features/analyses';
+import { CausePanel, FlakyPanel, ScorePanel } from '@/features/analyses';
 import {
   BuildLog,
   BuildOverview,
@@ -124,6 +124,20 @@ export function BuildPage() {
             value: 'score' as const,
             label: 'Score',
             content: () => <ScorePanel build={build.data} />,
+          },
+          {
+            value: 'flaky' as const,
+            label: 'Flaky cases',
+            content: () => (
+              <FlakyPanel
+                build={build.data}
+                caseLink={(no) => (
+                  <RouteLink to="/builds/$buildId" params={{ buildId }} search={{ case: no }}>
+                    {no}
+                  </RouteLink>
+                )}
+              />
+            ),
           },
           {
             value: 'graphs' as const,

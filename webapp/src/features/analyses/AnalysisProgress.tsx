@@ -1,11 +1,17 @@
 import { Alert, Button, Group, Loader, Text } from '@mantine/core';
 import type { BuildAnalysis } from '@/shared/api';
 import { ProblemAlert, UserText } from '@/shared/ui';
-import { isEnded, useCancelAnalysis, useRequestAnalysis, type AnalysisKind } from './queries';
+import {
+  isEnded,
+  useCancelAnalysis,
+  useRequestAnalysis,
+  type AnalysisKind,
+  type RequestedKind,
+} from './queries';
 
 interface AnalysisButtonProps {
   buildId: string;
-  kind: AnalysisKind;
+  kind: RequestedKind;
   label: string;
 }
 

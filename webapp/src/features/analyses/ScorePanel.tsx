@@ -1,5 +1,5 @@
 import { Alert, List, Stack, Table, Text } from '@mantine/core';
-import type { Build, Score } from '@/shared/api';
+import type { Build, MutationScore, Score } from '@/shared/api';
 import { ProblemAlert, ScrollTable, Section, UserText } from '@/shared/ui';
 import { AnalysisButton, AnalysisProgress } from './AnalysisProgress';
 import { isEnded, useAnalysis } from './queries';
@@ -27,8 +27,8 @@ export function ScorePanel({ build }: { build: Build }) {
       )}
       {analysis.isSuccess && !latest && (
         <Text size="sm" c="dimmed">
-          Score puts faults between test driver and component, and counts those that the cases
-          notice.
+          Score puts faults between test driver and component, mutates the sources, and counts what
+          the cases notice.
         </Text>
       )}
       {latest && <AnalysisProgress buildId={build.id} kind="score" analysis={latest} />}
@@ -40,7 +40,7 @@ export function ScorePanel({ build }: { build: Build }) {
 const PERCENT = 100;
 
 function Noticed({ score }: { score: Score }) {
-  const { injected, noticed, equivalent, survivors, outputs, warnings } = score;
+  const { injected, noticed, equivalent, survivors, outputs, warnings, mutations } = score;
   const effective = injected - equivalent;
   const share = effective === 0 ? 1 : noticed / effective;
   return (
@@ -82,28 +82,71 @@ function Noticed({ score }: { score: Score }) {
           </Table.Tbody>
         </ScrollTable>
       )}
-      {survivors.length > 0 && (
-        <ScrollTable label="Faults that are not noticed" minWidth={480}>
-          <Table.Thead>
-            <Table.Tr>
-              <Table.Th>Fault that is not noticed</Table.Th>
-              <Table.Th>What to add to the specification</Table.Th>
-            </Table.Tr>
-          </Table.Thead>
-          <Table.Tbody>
-            {survivors.map(({ fault, where, suggestion }) => (
-              <Table.Tr key={`${where} ${fault}`}>
-                <Table.Td>
-                  <UserText>{fault}</UserText>
-                </Table.Td>
-                <Table.Td>
-                  <UserText>{suggestion}</UserText>
-                </Table.Td>
-              </Table.Tr>
-            ))}
-          </Table.Tbody>
-        </ScrollTable>
-      )}
+      <Survivors label="Faults that are not noticed" head="Fault" survivors={survivors} />
+      {mutations && <Mutations mutations={mutations} />}
     </Stack>
+  );
+}
+
+function Mutations({ mutations }: { mutations: MutationScore }) {
+  const { made, noticed, survivors, unchanged } = mutations;
+  const effective = made - unchanged.length;
+  const share = effective === 0 ? 1 : noticed / effective;
+  return (
+    <>
+      <Text>
+        <strong>{(PERCENT * share).toFixed(1)} %</strong>
+        {` of the mutations of the sources: ${noticed} of ${effective} with an effect are noticed; ${unchanged.length} change no recorded value.`}
+      </Text>
+      <Survivors
+        label="Mutations that are not noticed"
+        head="Mutation of the sources"
+        survivors={survivors}
+      />
+      {unchanged.length > 0 && (
+        <details>
+          <summary>Mutations without an effect in these cases</summary>
+          <List size="sm">
+            {unchanged.map((mutation) => (
+              <List.Item key={mutation}>
+                <UserText>{mutation}</UserText>
+              </List.Item>
+            ))}
+          </List>
+        </details>
+      )}
+    </>
+  );
+}
+
+interface SurvivorsProps {
+  label: string;
+  head: string;
+  survivors: Score['survivors'];
+}
+
+function Survivors({ label, head, survivors }: SurvivorsProps) {
+  if (survivors.length === 0) return null;
+  return (
+    <ScrollTable label={label} minWidth={480}>
+      <Table.Thead>
+        <Table.Tr>
+          <Table.Th>{head} that is not noticed</Table.Th>
+          <Table.Th>What to add to the specification</Table.Th>
+        </Table.Tr>
+      </Table.Thead>
+      <Table.Tbody>
+        {survivors.map(({ fault, where, suggestion }) => (
+          <Table.Tr key={`${where} ${fault}`}>
+            <Table.Td>
+              <UserText>{fault}</UserText>
+            </Table.Td>
+            <Table.Td>
+              <UserText>{suggestion}</UserText>
+            </Table.Td>
+          </Table.Tr>
+        ))}
+      </Table.Tbody>
+    </ScrollTable>
   );
 }

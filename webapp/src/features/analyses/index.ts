@@ -1,2 +1,3 @@
 export { CausePanel } from './CausePanel';
+export { FlakyPanel } from './FlakyPanel';
 export { ScorePanel } from './ScorePanel';

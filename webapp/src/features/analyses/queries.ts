@@ -5,7 +5,10 @@ const ANALYSES = 'analyses';
 const REFRESH_MS = 1_000;
 
 /** The analyses of a build, as in the paths of the REST interface. */
-export type AnalysisKind = 'explanation' | 'score';
+export type AnalysisKind = 'explanation' | 'score' | 'repetition';
+
+/** The analyses that are requested without options. */
+export type RequestedKind = Exclude<AnalysisKind, 'repetition'>;
 
 const ENDED: readonly BuildAnalysis['state'][] = ['DONE', 'FAILED', 'CANCELLED'];
 
@@ -32,7 +35,8 @@ export function useAnalysis(buildId: string, kind: AnalysisKind) {
   });
 }
 
-export function useRequestAnalysis(buildId: string, kind: AnalysisKind) {
+/** Requests an explanation or a score. */
+export function useRequestAnalysis(buildId: string, kind: RequestedKind) {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({
@@ -40,6 +44,24 @@ export function useRequestAnalysis(buildId: string, kind: AnalysisKind) {
       dataOf(api.POST(`/api/v1/builds/{id}/${kind}`, { params: { path: { id: buildId } } })),
     onSuccess: (analysis) => {
       cache.setQueryData([ANALYSES, buildId, kind], analysis);
+    },
+  });
+}
+
+/** Requests further runs of the cases of a build. */
+export function useRepeatCases(buildId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (runs: number) =>
+      dataOf(
+        api.POST('/api/v1/builds/{id}/repetition', {
+          params: { path: { id: buildId } },
+          body: { runs },
+        }),
+      ),
+    onSuccess: (analysis) => {
+      cache.setQueryData([ANALYSES, buildId, 'repetition'], analysis);
     },
   });
 }

@@ -1,12 +1,12 @@
 import { Alert, Button, Group, Progress, Stack, Text } from '@mantine/core';
 import type { Build } from '@/shared/api';
-import { formatDuration, formatInstant } from '@/shared/lib/format';
+import { formatDuration, formatInstant, formatLeft } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 import { Diagnostics, ProblemAlert, UserText } from '@/shared/ui';
 import { BuildSource } from './BuildSource';
 import { BuildStatus } from './BuildStatus';
 import { useCancelBuild } from './queries';
-import { isFinished, progressOf } from './state';
+import { isFinished, progressOf, secondsLeft } from './state';
 
 /** The status of a build with its times and its agent, its progress, and the reason of a failure. */
 export function BuildOverview({ build }: { build: Build }) {
@@ -82,12 +82,14 @@ function shortened(cases: string): string {
 
 function Running({ build }: { build: Build }) {
   const cancel = useCancelBuild(build.id);
+  const left = secondsLeft(build, useNow(1_000));
   return (
     <>
       <Group gap="md">
         <Progress flex={1} value={progressOf(build)} aria-label="Executed cases" />
         <Text size="sm">
           {build.casesDone} of {build.casesTotal} cases
+          {left !== null && `, ${formatLeft(left)}`}
         </Text>
         <Button
           variant="default"

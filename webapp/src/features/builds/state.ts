@@ -54,3 +54,19 @@ function labelOf(build: Build): Omit<BuildStatus, 'sign'> {
 export function progressOf(build: Build): number {
   return build.casesTotal > 0 ? (100 * build.casesDone) / build.casesTotal : 0;
 }
+
+/** The estimate needs some cases that ended. */
+const MIN_ELAPSED_S = 5;
+
+/**
+ * The seconds that the other cases of a running build will take if they take as long on average;
+ * null if that is not known yet, or less than one.
+ */
+export function secondsLeft(build: Build, now: Date): number | null {
+  const { casesDone, casesTotal, started } = build;
+  if (build.state !== 'RUNNING' || started === undefined || casesDone === 0) return null;
+  const elapsed = (now.getTime() - new Date(started).getTime()) / 1000;
+  if (elapsed < MIN_ELAPSED_S) return null;
+  const left = (elapsed / casesDone) * (casesTotal - casesDone);
+  return left < 1 ? null : left;
+}

@@ -1,6 +1,7 @@
 package org.sitaf.server.build;
 
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
@@ -59,18 +60,31 @@ public class Analyses {
   }
 
   /**
-   * Requests an analysis of a build that has a result.
+   * Requests an explanation or a score of a build that has a result.
    *
    * @throws RequestException if the build cannot be analysed, or the same analysis has not ended
    */
   public void request(String buildId, BuildKind kind) {
+    request(buildId, analysed -> queue.queue(analysed, kind));
+  }
+
+  /**
+   * Requests further runs of the cases of a build that has a result.
+   *
+   * @throws RequestException if the cases cannot be repeated, or a repetition has not ended
+   */
+  public void repeat(String buildId, int runs) {
+    request(buildId, analysed -> queue.repeat(analysed, runs));
+  }
+
+  private void request(String buildId, UnaryOperator<Build> queued) {
     transaction.executeWithoutResult(
         status -> {
           Build analysed =
               builds
                   .findForUpdate(buildId)
                   .orElseThrow(() -> RequestException.notFound("build", buildId));
-          quotas.ownBuild(queue.queue(analysed, kind).id());
+          quotas.ownBuild(queued.apply(analysed).id());
         });
   }
 
@@ -90,12 +104,7 @@ public class Analyses {
                       queue
                           .latest(buildId, kind)
                           .orElseThrow(
-                              () ->
-                                  RequestException.notFound(
-                                      kind == BuildKind.SCORE
-                                          ? "score of build"
-                                          : "explanation of build",
-                                      buildId));
+                              () -> RequestException.notFound(kind.words() + " of build", buildId));
                   return view.of(analysis, reports.find(analysis.id()).orElse(null));
                 }))
         .orElseThrow();

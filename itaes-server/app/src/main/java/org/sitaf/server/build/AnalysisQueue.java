@@ -17,7 +17,7 @@ import org.springframework.transaction.annotation.Transactional;
 /** Queues analyses of builds that have a result. */
 @Component
 class AnalysisQueue {
-  /** The file of an assignment with the result that is explained. */
+  /** The file of an assignment with the result that is analysed. */
   private static final String ANALYSED = "analysed-result.xml";
 
   /** Maximum number of further cases of an explanation. */
@@ -25,6 +25,9 @@ class AnalysisQueue {
 
   /** Maximum number of further cases of a score. */
   private static final int MAX_SCORING = 1_000;
+
+  private static final int MIN_RUNS = 1;
+  private static final int MAX_RUNS = 100;
 
   private final BuildRepository builds;
   private final Results results;
@@ -54,6 +57,31 @@ class AnalysisQueue {
    */
   @Transactional(propagation = Propagation.MANDATORY)
   public Build queue(Build analysed, BuildKind kind) {
+    return queue(analysed, kind, kind == BuildKind.SCORE ? MAX_SCORING : MAX_EXPLAINING);
+  }
+
+  /**
+   * Queues further runs of the cases of a build; the caller has locked the build.
+   *
+   * @throws RequestException if the cases cannot be repeated, or a repetition has not ended
+   */
+  @Transactional(propagation = Propagation.MANDATORY)
+  public Build repeat(Build analysed, int runs) {
+    if (runs < MIN_RUNS || runs > MAX_RUNS) {
+      throw RequestException.malformed(
+          "runs: must be " + MIN_RUNS + " to " + MAX_RUNS + ", but is " + runs + ".");
+    }
+    if (analysed.state() == BuildState.DONE && !analysed.suspicions().isEmpty()) {
+      throw RequestException.conflict(
+          "The verdicts of build " + analysed.id() + " cannot be trusted.");
+    }
+    if (analysed.casesTotal() == 0) {
+      throw RequestException.conflict("Build " + analysed.id() + " has no cases to repeat.");
+    }
+    return queue(analysed, BuildKind.REPETITION, runs * analysed.casesTotal());
+  }
+
+  private Build queue(Build analysed, BuildKind kind, int maxCases) {
     Optional<Build> latest = latest(analysed.id(), kind);
     if (latest.isPresent() && !latest.get().state().isOver()) {
       throw RequestException.conflict(
@@ -75,7 +103,7 @@ class AnalysisQueue {
         analysed.addAnalysis(
             UUID.randomUUID().toString(),
             kind,
-            kind == BuildKind.SCORE ? MAX_SCORING : MAX_EXPLAINING,
+            maxCases,
             clock.instant().truncatedTo(ChronoUnit.MICROS));
     builds.saveAndFlush(analysis);
     events.publishEvent(BuildEvent.Changed.of(analysis));
@@ -90,7 +118,7 @@ class AnalysisQueue {
   /** The files that an agent may download for a build. */
   public List<StoredFile> filesOf(Build build) {
     List<StoredFile> files = new ArrayList<>(build.files());
-    if (build.kind() == BuildKind.EXPLANATION) {
+    if (build.kind() == BuildKind.EXPLANATION || build.kind() == BuildKind.REPETITION) {
       String analysed = build.analysedId().orElseThrow();
       files.add(
           new StoredFile(ANALYSED, results.sha256(analysed), results.document(analysed).length));

@@ -210,10 +210,7 @@ public class Build {
     created.freeze(
         new FrozenApplication(
             language, requirements().with(new Requirement.Analyses()), files, maxCases, maxCases));
-    created.move(
-        BuildState.QUEUED,
-        now,
-        (analysis == BuildKind.SCORE ? "score" : "explanation") + " of build " + id);
+    created.move(BuildState.QUEUED, now, analysis.words() + " of build " + id);
     return created;
   }
 

@@ -14,7 +14,10 @@ import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.ExplainedCause;
 import org.sitaf.agent.v1.Explanation;
+import org.sitaf.agent.v1.FlakyCase;
+import org.sitaf.agent.v1.MutationScore;
 import org.sitaf.agent.v1.NamedLiteral;
+import org.sitaf.agent.v1.Repetition;
 import org.sitaf.agent.v1.Score;
 import org.sitaf.agent.v1.SurvivingFault;
 import org.sitaf.core.harness.TestApplication;
@@ -22,7 +25,7 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.server.support.FakeAgent;
 import tools.jackson.databind.JsonNode;
 
-/** Explanations and scores of builds, from the request to the report. */
+/** Explanations, scores and repetitions of builds, from the request to the report. */
 abstract class AnalysisStory extends SignalStory {
   private static final String BUILDS = "/api/v1/builds/";
 
@@ -173,7 +176,63 @@ abstract class AnalysisStory extends SignalStory {
       assertThat(scored.get("state").asString()).isEqualTo("DONE");
       assertThat(scored.get("score").get("survivors").get(0).get("suggestion").asString())
           .isEqualTo("expect a value");
+      JsonNode mutations = scored.get("score").get("mutations");
+      assertThat(mutations.get("made").asInt()).isEqualTo(3);
+      assertThat(mutations.get("survivors").get(0).get("where").asString())
+          .isEqualTo("component/Arm.java:12");
+      assertThat(mutations.get("unchanged").get(0).asString()).endsWith("call of close left out");
     }
+  }
+
+  @Test
+  void theCasesOfABuildAreRepeated() {
+    String id = api.build(suiteId);
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "repeats", "java")) {
+      byte[] document = finished(agent, id, List.of(3));
+      api.get(BUILDS + id + "/repetition").expect(404);
+      assertThat(api.post(BUILDS + id + "/repetition", "{\"runs\": 101}").expect(400).text())
+          .contains("runs: must be 1 to 100, but is 101.");
+      api.post(BUILDS + id + "/repetition", "{\"runs\": 3}").expect(201);
+      Assignment assignment = agent.nextAssignment();
+      assertThat(assignment.getAnalysis().getKind()).isEqualTo(AnalysisOrder.Kind.REPETITION);
+      assertThat(assignment.getAnalysis().getMaxCases()).isEqualTo(3 * 55);
+      String sha256 =
+          assignment.getFilesList().stream()
+              .filter(f -> f.getPath().equals("analysed-result.xml"))
+              .findFirst()
+              .orElseThrow()
+              .getSha256();
+      assertThat(agent.download(assignment.getAttempt(), sha256)).isEqualTo(document);
+      assertThatThrownBy(
+              () ->
+                  agent.submit(
+                      assignment.getAttempt(), repetition(FlakyCase.Cause.CAUSE_UNSPECIFIED)))
+          .hasMessageContaining("repetition.cases.cause: must be COMPONENT");
+      agent.submit(assignment.getAttempt(), repetition(FlakyCase.Cause.COMPONENT));
+
+      JsonNode found = api.get(BUILDS + id + "/repetition").expect(200).json().get("repetition");
+      assertThat(found.get("runs").asInt()).isEqualTo(3);
+      assertThat(found.get("count").asInt()).isEqualTo(1);
+      JsonNode flaky = found.get("cases").get(0);
+      assertThat(flaky.get("cause").asString()).isEqualTo("COMPONENT");
+      assertThat(flaky.get("verdicts").get(0).asString()).isEqualTo("FAIL");
+      assertThat(flaky.get("verdicts")).hasSize(4);
+    }
+  }
+
+  private static AnalysisReport repetition(FlakyCase.Cause cause) {
+    return AnalysisReport.newBuilder()
+        .setRepetition(
+            Repetition.newBuilder()
+                .setRuns(3)
+                .setCount(1)
+                .addCases(
+                    FlakyCase.newBuilder()
+                        .setNo(3)
+                        .setCause(cause)
+                        .addAllVerdicts(List.of("FAIL", "PASS", "PASS", "FAIL"))
+                        .setReason("its inputs are equal, and what it returns differs")))
+        .build();
   }
 
   private static AnalysisReport score() {
@@ -182,6 +241,15 @@ abstract class AnalysisStory extends SignalStory {
             Score.newBuilder()
                 .setInjected(5)
                 .setNoticed(4)
+                .setMutations(
+                    MutationScore.newBuilder()
+                        .setMade(3)
+                        .setNoticed(1)
+                        .addSurvivors(
+                            SurvivingFault.newBuilder()
+                                .setFault("component/Arm.java:12: < replaced by <=")
+                                .setWhere("component/Arm.java:12"))
+                        .addUnchanged("component/Arm.java:20: call of close left out"))
                 .addSurvivors(
                     SurvivingFault.newBuilder()
                         .setFault("return: sign")

@@ -58,7 +58,7 @@ abstract class SignalStory extends RecordingStory {
       assertThat(assignment.getSignals().getMaxCases()).isEqualTo(500);
       assertThat(assignment.getSignals().getMaxBytes()).isEqualTo(100L << 10);
       AttemptRef attempt = assignment.getAttempt();
-      signalsOf(id, 3).expect(404);
+      signalsOf(id, 3).expect(204);
       CaseSignals first = signals(1, Double.POSITIVE_INFINITY, 2.5).setSamples(2000).build();
       agent.uploadSignals(attempt, 3, signals(4).build());
       agent.uploadSignals(attempt, 3, first);
@@ -81,7 +81,7 @@ abstract class SignalStory extends RecordingStory {
     String path = "/api/v1/builds/" + id + "/cases/3/signals";
     assertThat(api.send(api.request(path).header("If-None-Match", etag).GET()).status())
         .isEqualTo(304);
-    signalsOf(id, 4).expect(404);
+    signalsOf(id, 4).expect(204);
     signalsOf("none", 3).expect(404);
   }
 
@@ -120,7 +120,7 @@ abstract class SignalStory extends RecordingStory {
       assertRejected(
           Status.Code.INVALID_ARGUMENT,
           () -> agent.uploadSignals(attempt, 1, signals(tooMany).build()));
-      signalsOf(id, 1).expect(404);
+      signalsOf(id, 1).expect(204);
       agent.submit(attempt, FakeAgent.result(agent.download(assignment), List.of()));
       assertRejected(
           Status.Code.FAILED_PRECONDITION,
@@ -163,7 +163,7 @@ abstract class SignalStory extends RecordingStory {
               .build());
       AttemptRef again = agent.nextAssignment().getAttempt();
       assertThat(again.getBuildId()).isEqualTo(one.getBuildId());
-      signalsOf(id, 5).expect(404);
+      signalsOf(id, 5).expect(204);
     }
   }
 

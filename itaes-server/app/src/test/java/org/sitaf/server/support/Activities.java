@@ -18,15 +18,21 @@ import org.sitaf.core.activity.FileTree;
 public final class Activities {
   public static final String MODEL = "GetInfraredData";
 
-  private static final Path EXAMPLE = Path.of("../../examples/ir-sensor");
+  private static final Path EXAMPLES = Path.of("../../examples");
 
   private Activities() {}
 
   public static Map<String, byte[]> files() {
-    try (Stream<Path> paths = Files.walk(EXAMPLE)) {
+    return files("ir-sensor");
+  }
+
+  /** The files of another example. */
+  public static Map<String, byte[]> files(String example) {
+    Path folder = EXAMPLES.resolve(example);
+    try (Stream<Path> paths = Files.walk(folder)) {
       Map<String, byte[]> files = new HashMap<>();
       for (Path path : paths.filter(Files::isRegularFile).toList()) {
-        files.put(EXAMPLE.relativize(path).toString(), Files.readAllBytes(path));
+        files.put(folder.relativize(path).toString(), Files.readAllBytes(path));
       }
       return files;
     } catch (IOException e) {

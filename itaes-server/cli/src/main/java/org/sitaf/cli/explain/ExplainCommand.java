@@ -98,7 +98,7 @@ public final class ExplainCommand implements Callable<Integer> {
       UserFiles.requireWritableFolder("--bundles", bundles);
     }
     FileTree files = UserFiles.folder(arguments.folder());
-    Activity activity = Activity.read(files);
+    Activity activity = Installation.read(files);
     Sitaf.print(activity.warnings(), err);
     List<TestModel> models = arguments.modelsOf(activity);
     for (TestModel each : models) {

@@ -72,7 +72,7 @@ public final class ReplayCommand implements Callable<Integer> {
       bundle = ActivityArchive.read(zip, file.toString());
     }
     JsonNode recorded = recorded(bundle);
-    Activity activity = Activity.read(bundle.below(Bundle.ACTIVITY));
+    Activity activity = Installation.read(bundle.below(Bundle.ACTIVITY));
     TestSuite suite =
         TestSuiteXml.read(
             new ByteArrayInputStream(

@@ -9,6 +9,7 @@ import java.util.Map;
 import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.score.SpecificationScore;
 import org.sitaf.core.score.SpecificationScore.Survivor;
+import org.sitaf.core.score.mutation.MutationScore;
 
 /** Prints a score, and the faults that are not noticed. */
 final class ScoreText {
@@ -43,11 +44,40 @@ final class ScoreText {
                     Printable.line(output),
                     count.noticed(),
                     count.changed()));
+    print(score.survivors(), all, out);
+  }
+
+  /**
+   * Prints the score of a model by mutations of the sources.
+   *
+   * @param all whether all survivors, and the mutations without an effect, are printed
+   */
+  static void print(String model, MutationScore score, boolean all, PrintWriter out) {
+    out.printf(
+        Locale.ROOT,
+        "%s: mutations of the sources %.1f %%: %d of %d with an effect are noticed; %d change no"
+            + " recorded value%n",
+        model,
+        PERCENT * score.share(),
+        score.noticed(),
+        score.made() - score.unchanged().size(),
+        score.unchanged().size());
+    print(score.survivors(), all, out);
+    if (all && !score.unchanged().isEmpty()) {
+      out.println("without an effect in these cases:");
+      score
+          .unchanged()
+          .forEach(m -> out.println("  " + Printable.line(m.where() + ": " + m.change())));
+      out.flush();
+    }
+  }
+
+  private static void print(List<Survivor> survivors, boolean all, PrintWriter out) {
     int left = all ? Integer.MAX_VALUE : MAX_SURVIVORS;
-    if (!score.survivors().isEmpty()) {
+    if (!survivors.isEmpty()) {
       out.println("not noticed:");
     }
-    for (Map.Entry<String, List<String>> each : bySuggestion(score.survivors()).entrySet()) {
+    for (Map.Entry<String, List<String>> each : bySuggestion(survivors).entrySet()) {
       if (left <= 0) {
         break;
       }
@@ -57,8 +87,8 @@ final class ScoreText {
       left -= each.getValue().size();
       out.println("    " + Printable.line(each.getKey()));
     }
-    if (left < 0 || !all && score.survivors().size() > MAX_SURVIVORS) {
-      out.println("... " + score.survivors().size() + " are not noticed; --all prints all of them");
+    if (left < 0 || !all && survivors.size() > MAX_SURVIVORS) {
+      out.println("... " + survivors.size() + " are not noticed; --all prints all of them");
     }
     out.flush();
   }

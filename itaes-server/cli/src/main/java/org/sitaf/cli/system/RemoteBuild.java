@@ -169,14 +169,15 @@ final class RemoteBuild {
     return TestResultXml.read(new ByteArrayInputStream(document), "result");
   }
 
-  private static boolean hasEnded(JsonNode build) {
+  static boolean hasEnded(JsonNode build) {
     return switch (build.path("state").asString()) {
       case "DONE", "FAILED", "CANCELLED" -> true;
       default -> false;
     };
   }
 
-  private static InvalidInputException failure(JsonNode build) {
+  /** Why a build has no result. */
+  static InvalidInputException failure(JsonNode build) {
     JsonNode failure = build.path("failure");
     List<Diagnostic> diagnostics = new ArrayList<>();
     for (JsonNode d : failure.path("diagnostics")) {

@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.net.URI;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.terminal.ProgressLine;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.flaky.FlakyCase;
 import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
@@ -108,17 +110,23 @@ public final class RemoteRun {
    * The result of a build.
    *
    * @param whole whether the whole suite was executed
+   * @param flaky the cases that differ between the runs; at most 1,000
    */
-  public record Ended(TestResult result, boolean whole) {}
+  public record Ended(TestResult result, boolean whole, List<FlakyCase> flaky) {
+    public Ended {
+      flaky = List.copyOf(flaky);
+    }
+  }
 
   /**
    * Tests one model; cancels its build if this thread is interrupted.
    *
    * @param selection selects the cases of the server's suite that are executed
+   * @param runs how often they are executed
    * @return empty if no case was selected
    * @throws InvalidInputException if the build has no result; contains the reason
    */
-  public Optional<Ended> test(String model, long seed, UnaryOperator<TestSuite> selection)
+  public Optional<Ended> test(String model, long seed, UnaryOperator<TestSuite> selection, int runs)
       throws IOException, InterruptedException {
     try (ProgressLine progress = new ProgressLine(err)) {
       RemoteBuild build = new RemoteBuild(server, progress).followedBy(err);
@@ -128,7 +136,9 @@ public final class RemoteRun {
       }
       byte[] document = build.await();
       progress.step(model + ": " + address.resolve("/builds/" + build.id()));
-      return Optional.of(new Ended(RemoteBuild.parse(document), whole.get()));
+      List<FlakyCase> flaky =
+          runs == 1 ? List.of() : new RemoteRepetition(server, progress).run(build.id(), runs - 1);
+      return Optional.of(new Ended(RemoteBuild.parse(document), whole.get(), flaky));
     }
   }
 

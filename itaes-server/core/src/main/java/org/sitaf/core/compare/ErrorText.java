@@ -20,10 +20,14 @@ public final class ErrorText {
   private static final Pattern QUALIFIER =
       Pattern.compile("^(?:[A-Za-z_$][\\w$]{0,200}(?:\\.|::)){1,40}(?=[A-Za-z_$])");
 
-  /** Few digits are an address only after a Java class or array: {@code a.Foo@1fc}. */
+  /**
+   * Few digits are an address only after a Java class or array, {@code a.Foo@1fc}, and after the
+   * address of a hidden class: {@code a.Foo$$Lambda$25/0x00007f28@1c}.
+   */
   private static final Pattern ADDRESS =
       Pattern.compile(
           "\\b0x[0-9a-fA-F]{1,16}\\b|(?<=[\\w$;])@[0-9a-f]{5,16}\\b"
+              + "|(?<=/0x[0-9a-fA-F]{1,16})@[0-9a-f]{1,4}\\b"
               + "|(?<=\\w\\.[\\w$]{1,99}|\\[[A-Z]|[\\w$];)@[0-9a-f]{1,4}\\b");
 
   /** An absolute folder, or a relative one of a file with an extension. */

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.hipparchus.random.RandomGenerator;
+import org.hipparchus.util.MathArrays;
 
 /**
  * Proposes points where the margin may be low, from what is known of others. Each point of a batch
@@ -24,8 +26,12 @@ final class Proposals {
   /** Standard deviations of points near the lowest margin, as shares of the ranges. */
   private static final double[] SPREADS = {0.02, 0.1};
 
-  /** How far below its mean an estimate is considered, from the surest to the boldest proposal. */
-  private static final double[] DEVIATIONS = {0.5, 1.5, 3};
+  /**
+   * How far below its mean an estimate is considered, in turn: a sure proposal, a bold one. Another
+   * one follows that is far from everything, because a few cases cannot tell how uncertain their
+   * estimate is.
+   */
+  private static final double[] DEVIATIONS = {0.5, 1.5};
 
   /** The share of the largest margins that are all the same to the search. */
   private static final double HIGH = 0.2;
@@ -68,10 +74,13 @@ final class Proposals {
     }
     MarginEstimate estimate = MarginEstimate.of(known, values);
     while (proposed.size() < count) {
-      double deviations = DEVIATIONS[proposed.size() % DEVIATIONS.length];
-      double[] best = lowest(estimate, known.get(0), deviations, random);
-      proposed.add(best);
-      estimate = estimate.with(best, estimate.low(best, 0));
+      int turn = proposed.size() % (DEVIATIONS.length + 1);
+      double[] point =
+          turn < DEVIATIONS.length
+              ? lowest(estimate, known.get(0), DEVIATIONS[turn], random)
+              : farthest(proposed, random);
+      proposed.add(point);
+      estimate = estimate.with(point, estimate.low(point, 0));
     }
     return proposed;
   }
@@ -101,6 +110,28 @@ final class Proposals {
       }
     }
     return best;
+  }
+
+  /** A random point far from all that are known or proposed. */
+  private double[] farthest(List<double[]> proposed, RandomGenerator random) {
+    double[] best = anywhere(random);
+    double largest = distance(best, proposed);
+    for (int i = 1; i < ANYWHERE; i++) {
+      double[] point = anywhere(random);
+      double distance = distance(point, proposed);
+      if (distance > largest) {
+        largest = distance;
+        best = point;
+      }
+    }
+    return best;
+  }
+
+  private double distance(double[] point, List<double[]> proposed) {
+    return Stream.concat(points.stream(), proposed.stream())
+        .mapToDouble(other -> MathArrays.distance(point, other))
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
   }
 
   private double[] anywhere(RandomGenerator random) {

@@ -2,7 +2,7 @@ package org.sitaf.core.flaky;
 
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.core.compare.ErrorText;
+import org.sitaf.core.compare.RecordedValues;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Verdict;
 
@@ -32,15 +32,9 @@ record CaseDigest(
 
   static CaseDigest of(CaseResult result, @Nullable SignalDigest signals) {
     boolean error = result.verdict() == Verdict.ERROR;
-    StringBuilder values = new StringBuilder();
-    values.append(result.actual()).append(result.calls());
-    result.steps().forEach(s -> values.append(s.call()).append(s.actual()).append(s.verdict()));
-    if (error) {
-      values.append(ErrorText.ofMessage(result.message()));
-    }
     return new CaseDigest(
         result.verdict(),
-        values.toString(),
+        RecordedValues.of(result),
         error && result.message().startsWith(TIME_LIMIT),
         result.time() == null ? 0 : result.micros().orElse(0) / MICROS_PER_SECOND,
         signals);

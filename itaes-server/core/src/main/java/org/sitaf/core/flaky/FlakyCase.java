@@ -8,7 +8,8 @@ import org.sitaf.core.verdict.Verdict;
 /**
  * A case that is not reproducible.
  *
- * @param verdicts of the runs in which it was executed, in their order
+ * @param verdicts of the runs in which it was executed, in their order; that of an earlier result
+ *     is the first
  * @param reason why the cause is the cause, such as where the runs diverge
  */
 public record FlakyCase(int no, FlakyCause cause, List<Verdict> verdicts, String reason) {
@@ -16,6 +17,11 @@ public record FlakyCase(int no, FlakyCause cause, List<Verdict> verdicts, String
     Objects.requireNonNull(cause);
     verdicts = List.copyOf(verdicts);
     Objects.requireNonNull(reason);
+  }
+
+  /** Whether it failed in any run. */
+  public boolean failed() {
+    return verdicts.contains(Verdict.FAIL) || verdicts.contains(Verdict.ERROR);
   }
 
   /** The case in one line, with the history of its verdicts. */

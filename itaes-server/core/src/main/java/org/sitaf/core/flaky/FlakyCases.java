@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.verdict.CaseResult;
@@ -30,6 +31,7 @@ public final class FlakyCases {
   private final double limitSeconds;
   private final Map<Integer, List<CaseDigest>> runs = new TreeMap<>();
   private final Map<Integer, SignalDigest> signals = new HashMap<>();
+  private final Map<Integer, Verdict> earlier = new HashMap<>();
 
   /**
    * Begins without runs.
@@ -38,6 +40,16 @@ public final class FlakyCases {
    */
   public FlakyCases(double limitSeconds) {
     this.limitSeconds = limitSeconds;
+  }
+
+  /**
+   * Takes the verdicts of a result that exists. Its values are not compared: another machine may
+   * have computed them.
+   */
+  public void addEarlier(TestResult result) {
+    result.cases().stream()
+        .filter(c -> c.verdict() != Verdict.DONT)
+        .forEach(c -> earlier.put(c.no(), c.verdict()));
   }
 
   /** Adds the signals of a case of the current run; may be called from any thread. */
@@ -72,10 +84,22 @@ public final class FlakyCases {
   private Optional<FlakyCase> of(int no, List<CaseDigest> executions) {
     CaseDigest first = executions.get(0);
     Optional<CaseDigest> other = executions.stream().filter(e -> !e.isEqual(first)).findFirst();
+    Verdict before = earlier.getOrDefault(no, first.verdict());
+    List<Verdict> verdicts =
+        Stream.concat(
+                earlier.containsKey(no) ? Stream.of(before) : Stream.empty(),
+                executions.stream().map(CaseDigest::verdict))
+            .toList();
     if (other.isEmpty()) {
-      return Optional.empty();
+      return before == first.verdict()
+          ? Optional.empty()
+          : Optional.of(
+              new FlakyCase(
+                  no,
+                  FlakyCause.UNKNOWN,
+                  verdicts,
+                  "only the build differs; the further runs are equal"));
     }
-    List<Verdict> verdicts = executions.stream().map(CaseDigest::verdict).toList();
     List<CaseDigest> inTime = executions.stream().filter(e -> !e.outOfTime()).toList();
     boolean otherValues =
         !inTime.isEmpty() && inTime.stream().anyMatch(e -> !e.isEqual(inTime.get(0)));

@@ -4,7 +4,9 @@ package org.sitaf.core.flaky;
 public enum FlakyCause {
   COMPONENT("the component"),
   SIMULATOR("the simulator"),
-  MACHINE("the machine");
+  MACHINE("the machine"),
+  /** Only an earlier result differs, of which no signals are known. */
+  UNKNOWN("cause not known");
 
   private final String words;
 

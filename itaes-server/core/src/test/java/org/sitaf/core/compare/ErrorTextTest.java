@@ -65,6 +65,8 @@ class ErrorTextTest {
         "<Foo object at 0x7f12ab34> | <Foo object at 0x>",
         "Foo@1b2c3d4 failed | Foo0x failed",
         "java.lang.Object@1fc failed | java.lang.Object0x failed",
+        "a.Foo$$Lambda$25/0x00007f2855007000@1c failed | a.Foo$$Lambda$25/0x0x failed",
+        "a.Foo$$Lambda$25/0x00007f2855007000@254989ff failed | a.Foo$$Lambda$25/0x0x failed",
         "[D@7 and [Ljava.lang.String;@1b2c3d4 and [La.B;@2f | [D0x and [Ljava.lang.String;0x and [La.B;0x",
         "rate@50 of a@b | rate@50 of a@b",
         "in src/robot/arm.cpp:7:3 | in arm.cpp",

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleBinaryOperator;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -71,12 +72,22 @@ class FalsificationTest {
     return x * x;
   }
 
+  /** Low everywhere at the largest b, negative only in a narrow valley. */
+  private static double valley(double a, double b) {
+    double narrow = Math.exp(-square(a - 0.6) / 0.008) * Math.pow((b + 1) / 2, 6);
+    return 0.035 + 0.01 * (1 - b) + 0.005 * square(a + 0.7) - 0.07 * narrow;
+  }
+
   private static Executor executor() {
+    return executor(FalsificationTest::margin);
+  }
+
+  private static Executor executor(DoubleBinaryOperator function) {
     return rows ->
         rows.stream()
             .map(
                 row -> {
-                  double margin = margin(number(row.get(0)), number(row.get(1)));
+                  double margin = function.applyAsDouble(number(row.get(0)), number(row.get(1)));
                   return new Outcome(margin, margin < 0, "settles");
                 })
             .toList();
@@ -104,6 +115,21 @@ class FalsificationTest {
       drawn.add(random.executions());
     }
     assertThat(median(searched)).isLessThan(median(drawn));
+  }
+
+  @Test
+  void leavesAFlatBasinForWhatIsUnknown() throws InterruptedException {
+    TestModel model = model("double", "double");
+    List<Integer> searched = new ArrayList<>();
+    for (long seed : LongStream.rangeClosed(1, 10).toArray()) {
+      Executor executor = executor(FalsificationTest::valley);
+      searched.add(
+          new Falsification(SearchSpace.of(model, seed), BUDGET, seed, executor)
+              .search(covering(model))
+              .executions());
+    }
+    assertThat(searched).allMatch(executions -> executions < BUDGET);
+    assertThat(median(searched)).isLessThan(120);
   }
 
   private static double median(List<Integer> numbers) {

@@ -33,14 +33,7 @@ class FlakyCasesTest {
   }
 
   private void run(CaseResult result) {
-    cases.add(
-        new TestResult(
-            "M",
-            new Provenance("", 1, "", "", "", "", "", ""),
-            Statistics.of(List.of(result), true),
-            List.of(),
-            List.of(result),
-            null));
+    cases.add(of(result));
   }
 
   private void run(CaseResult result, double[] commands, double[] readings) {
@@ -52,6 +45,41 @@ class FlakyCasesTest {
   private FlakyCase found() {
     assertThat(cases.find()).hasSize(1);
     return cases.find().get(0);
+  }
+
+  private static TestResult of(CaseResult result) {
+    return new TestResult(
+        "M",
+        new Provenance("", 1, "", "", "", "", "", ""),
+        Statistics.of(List.of(result), true),
+        List.of(),
+        List.of(result),
+        null);
+  }
+
+  @Test
+  void anEarlierVerdictThatNoRunConfirmsIsFlakyForAnUnknownCause() {
+    cases.addEarlier(of(returned(Verdict.FAIL, "1.5")));
+    run(returned(Verdict.PASS, "1.0"));
+    run(returned(Verdict.PASS, "1.0"));
+    assertThat(found().line())
+        .isEqualTo(
+            "case 1: FAIL PASS PASS; cause not known: only the build differs; the further runs are"
+                + " equal");
+  }
+
+  @Test
+  void anEarlierResultOfTheSameVerdictIsNotCompared() {
+    cases.addEarlier(of(returned(Verdict.PASS, "1.0000001")));
+    run(returned(Verdict.PASS, "1.0"));
+    assertThat(cases.find()).isEmpty();
+  }
+
+  @Test
+  void anEarlierCaseThatWasNotExecutedDoesNotCount() {
+    cases.addEarlier(of(returned(Verdict.DONT, "")));
+    run(returned(Verdict.PASS, "1.0"));
+    assertThat(cases.find()).isEmpty();
   }
 
   @Test

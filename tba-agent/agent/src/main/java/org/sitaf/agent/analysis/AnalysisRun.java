@@ -7,11 +7,13 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.AnalysisReport;
 import org.sitaf.agent.build.AnalysisReport.Explained;
@@ -22,10 +24,10 @@ import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.build.QuietBuild;
 import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.activity.Activity;
-import org.sitaf.core.description.DataType;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.explain.Explanation;
 import org.sitaf.core.explain.Explanation.Cause;
@@ -33,11 +35,11 @@ import org.sitaf.core.explain.report.Bundle;
 import org.sitaf.core.explain.report.RunRecord;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
-import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.suite.InputValidity;
+import org.sitaf.core.score.SpecificationScore;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -50,7 +52,8 @@ public final class AnalysisRun {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Duration LIMIT = Duration.ofHours(1);
   private static final int MAX_FURTHER_SHOWN = 1_000;
-  private static final int MAX_VALUES_SHOWN = 100;
+  private static final int MAX_MUTATIONS = 50;
+  private static final Duration MUTATIONS_LIMIT = Duration.ofMinutes(10);
 
   private final TestApplication application;
   private final Activity activity;
@@ -153,9 +156,8 @@ public final class AnalysisRun {
     try {
       listener.stage(BuildStage.PREPARING);
       log.remark(settings.sandbox().description());
-      TestResult analysed = order.analysed();
       listener.stage(BuildStage.RUNNING);
-      return new BuildOutcome.Analysed(analysed == null ? score(log) : explain(analysed, log));
+      return new BuildOutcome.Analysed(reportOf(log));
     } catch (InterruptedException | CancellationException e) {
       // A cancelled search throws its own exception.
       synchronized (this) {
@@ -178,10 +180,45 @@ public final class AnalysisRun {
     }
   }
 
+  private AnalysisReport reportOf(BuildLog log) throws InterruptedException {
+    if (order instanceof AnalysisOrder.Explain explain) {
+      return explain(explain.analysed(), log);
+    }
+    return order instanceof AnalysisOrder.Repeat repeat
+        ? repeat(repeat.analysed(), log)
+        : score(log);
+  }
+
+  private AnalysisReport repeat(TestResult analysed, BuildLog log) throws InterruptedException {
+    TestSuite suite = application.suite();
+    return new RepeatedCases(
+            (variation, signals) ->
+                execute(
+                    model,
+                    suite,
+                    settings.varied(variation).withSignals(),
+                    new QuietBuild() {
+                      @Override
+                      public void signals(int no, Trace trace) {
+                        signals.accept(no, trace);
+                      }
+
+                      @Override
+                      public void caseFinished(CaseResult result) {
+                        report(result);
+                      }
+                    }),
+            log::remark)
+        .run(
+            analysed,
+            order.maxCases() / suite.cases().size(),
+            activity.profile().limits().caseWall());
+  }
+
   private Scored score(BuildLog log) throws InterruptedException {
     log.remark("executing the cases of the suite and further ones");
     TestModel single = model.withoutRelations();
-    return new Scored(
+    SpecificationScore score =
         new ScoredModel(
                 activity,
                 single,
@@ -192,7 +229,35 @@ public final class AnalysisRun {
                         suite,
                         signals ? settings.withSignals() : settings,
                         forwarding(observer)))
-            .score(order.maxCases()));
+            .score(order.maxCases());
+    if (MutatedModel.count(activity) == 0) {
+      return new Scored(score, null);
+    }
+    log.remark("testing mutations of the sources");
+    Duration left = Duration.ofNanos(end - System.nanoTime()).dividedBy(2);
+    Duration limit = left.compareTo(MUTATIONS_LIMIT) < 0 ? left : MUTATIONS_LIMIT;
+    return new Scored(
+        score,
+        new MutatedModel(activity, application.suite(), this::executeMutated)
+            .score(MAX_MUTATIONS, limit, done -> {}));
+  }
+
+  private BuildOutcome executeMutated(Activity changed, Predicate<CaseResult> ends)
+      throws InterruptedException {
+    AtomicReference<BuildRun> run = new AtomicReference<>();
+    return outcomeOf(
+        InterfaceTestApplicationGenerator.generate(changed, model, application.suite()),
+        settings,
+        new QuietBuild() {
+          @Override
+          public void caseFinished(CaseResult result) {
+            BuildRun started = run.get();
+            if (ends.test(result) && started != null) {
+              started.cancel("the mutation is noticed");
+            }
+          }
+        },
+        run::set);
   }
 
   private Explained explain(TestResult analysed, BuildLog log) throws InterruptedException {
@@ -210,11 +275,11 @@ public final class AnalysisRun {
     for (Cause cause : explanation.causes()) {
       records.add(record(suite, cause));
     }
-    return new Explained(explanation, records, further, inputs(suite));
+    return new Explained(explanation, records, further, ExplainedInputs.of(model, suite));
   }
 
   private List<CaseResult> executed(TestSuite suite, BuildLog log) throws InterruptedException {
-    TestResult result = execute(model, suite, settings, new Quiet());
+    TestResult result = execute(model, suite, settings, new QuietBuild());
     Map<Integer, CaseResult> byNumber = new HashMap<>();
     result.cases().forEach(c -> byNumber.put(c.no(), c));
     List<CaseResult> ended = new ArrayList<>();
@@ -252,29 +317,29 @@ public final class AnalysisRun {
     Optional<TestSuite> only = Bundle.simplest(model, suite, cause, 1);
     return only.isEmpty()
         ? Map.of()
-        : RunRecord.of(execute(model, only.get(), settings, new Quiet())).entries();
-  }
-
-  private List<AnalysisReport.Input> inputs(TestSuite suite) {
-    InputValidity validity = new InputValidity(model, suite.generation().seed());
-    List<AnalysisReport.Input> inputs = new ArrayList<>();
-    for (int i = 0; i < model.inputs().size(); i++) {
-      InputElement input = model.inputs().get(i);
-      Map<String, Boolean> values = new LinkedHashMap<>();
-      for (TestCase each : suite.cases()) {
-        String literal = each.values().get(i);
-        if (values.size() < MAX_VALUES_SHOWN && !values.containsKey(literal)) {
-          values.put(literal, validity.isValid(i, literal));
-        }
-      }
-      boolean numeric = input.type() instanceof DataType.Scalar scalar && scalar.type().isNumeric();
-      inputs.add(new AnalysisReport.Input(input.name(), numeric, values));
-    }
-    return inputs;
+        : RunRecord.of(execute(model, only.get(), settings, new QuietBuild())).entries();
   }
 
   private TestResult execute(
       TestModel executed, TestSuite suite, BuildSettings with, BuildListener observer)
+      throws InterruptedException {
+    BuildOutcome outcome =
+        outcomeOf(
+            InterfaceTestApplicationGenerator.generate(activity, executed, suite),
+            with,
+            observer,
+            run -> {});
+    if (outcome instanceof BuildOutcome.Cancelled cancelled) {
+      throw new InterruptedException(cancelled.reason());
+    }
+    if (!(outcome instanceof BuildOutcome.Completed completed)) {
+      throw new BuildFailedException(outcome);
+    }
+    return completed.result();
+  }
+
+  private BuildOutcome outcomeOf(
+      TestApplication built, BuildSettings with, BuildListener observer, Consumer<BuildRun> started)
       throws InterruptedException {
     Duration left = Duration.ofNanos(end - System.nanoTime());
     if (left.isNegative() || left.isZero()) {
@@ -282,12 +347,8 @@ public final class AnalysisRun {
           "the analysis took longer than " + LIMIT.toMinutes() + " minutes");
     }
     Path folder = directory.resolve("build-" + ++builds);
-    BuildRun run =
-        new BuildRun(
-            InterfaceTestApplicationGenerator.generate(activity, executed, suite),
-            folder,
-            with.within(left),
-            observer);
+    BuildRun run = new BuildRun(built, folder, with.within(left), observer);
+    started.accept(run);
     synchronized (this) {
       if (stopReason != null) {
         throw new InterruptedException(stopReason);
@@ -299,13 +360,7 @@ public final class AnalysisRun {
       current = null;
     }
     delete(folder);
-    if (outcome instanceof BuildOutcome.Cancelled cancelled) {
-      throw new InterruptedException(cancelled.reason());
-    }
-    if (!(outcome instanceof BuildOutcome.Completed completed)) {
-      throw new BuildFailedException(outcome);
-    }
-    return completed.result();
+    return outcome;
   }
 
   private static void delete(Path folder) {
@@ -318,14 +373,14 @@ public final class AnalysisRun {
 
   /** Hands over the records, and reports each case. */
   private BuildListener forwarding(BuildListener observer) {
-    return new Quiet() {
+    return new QuietBuild() {
       @Override
       public void caseRecorded(org.sitaf.core.verdict.CaseRecord record) {
         observer.caseRecorded(record);
       }
 
       @Override
-      public void signals(int no, org.sitaf.core.trajectory.Trace trace) {
+      public void signals(int no, Trace trace) {
         observer.signals(no, trace);
       }
 
@@ -334,28 +389,5 @@ public final class AnalysisRun {
         listener.caseFinished(result);
       }
     };
-  }
-
-  /** The builds of an analysis have no log of their own. */
-  private static class Quiet implements BuildListener {
-    @Override
-    public void stage(BuildStage stage) {
-      // The analysis has its own stages.
-    }
-
-    @Override
-    public void log(byte[] utf8) {
-      // The component's output of further cases is not kept.
-    }
-
-    @Override
-    public void caseFinished(CaseResult result) {
-      // The analysis reports its cases.
-    }
-
-    @Override
-    public void recorded(int no, Path recording) {
-      // Nothing is recorded.
-    }
   }
 }

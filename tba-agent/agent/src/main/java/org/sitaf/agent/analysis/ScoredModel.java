@@ -1,13 +1,12 @@
 package org.sitaf.agent.analysis;
 
-import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildListener;
-import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.build.QuietBuild;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -121,17 +120,7 @@ public final class ScoredModel {
         recorder.record(
             cases,
             !conditions.isEmpty(),
-            new BuildListener() {
-              @Override
-              public void stage(BuildStage stage) {
-                // The caller shows the progress.
-              }
-
-              @Override
-              public void log(byte[] utf8) {
-                // The output of the component is not kept.
-              }
-
+            new QuietBuild() {
               @Override
               public void signals(int no, Trace trace) {
                 traces.put(no, trace);
@@ -140,16 +129,6 @@ public final class ScoredModel {
               @Override
               public void caseRecorded(CaseRecord record) {
                 records.put(record.no(), record);
-              }
-
-              @Override
-              public void caseFinished(CaseResult finished) {
-                // The outcome holds all results.
-              }
-
-              @Override
-              public void recorded(int no, Path recording) {
-                // Nothing is recorded.
               }
             });
     requireResults(result);

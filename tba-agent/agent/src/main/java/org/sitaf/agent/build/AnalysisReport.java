@@ -4,8 +4,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.explain.Explanation;
+import org.sitaf.core.flaky.FlakyCase;
 import org.sitaf.core.score.SpecificationScore;
+import org.sitaf.core.score.mutation.MutationScore;
 
 /** What an analysis of a build found. */
 public sealed interface AnalysisReport {
@@ -30,10 +33,26 @@ public sealed interface AnalysisReport {
     }
   }
 
-  /** The score of a specification. */
-  record Scored(SpecificationScore score) implements AnalysisReport {
+  /**
+   * The score of a specification.
+   *
+   * @param mutations score by mutations of the sources; null if there are no sources
+   */
+  record Scored(SpecificationScore score, @Nullable MutationScore mutations)
+      implements AnalysisReport {
     public Scored {
       Objects.requireNonNull(score);
+    }
+  }
+
+  /**
+   * What repeated runs of the cases showed.
+   *
+   * @param runs number of further runs
+   */
+  record Repeated(int runs, List<FlakyCase> flaky) implements AnalysisReport {
+    public Repeated {
+      flaky = List.copyOf(flaky);
     }
   }
 

@@ -1,6 +1,7 @@
 package org.sitaf.agent.build;
 
 import java.nio.file.Path;
+import org.sitaf.agent.simulation.LiveMotion;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
@@ -19,6 +20,11 @@ public interface BuildListener {
 
   /** The build's log grew by these bytes of UTF-8. */
   void log(byte[] utf8);
+
+  /** The simulation is ready; the motion of recorded cases can be watched until the build ends. */
+  default void simulated(LiveMotion motion) {
+    // Only a debugged case is watched.
+  }
 
   /** The record of a case, before it has a result. */
   default void caseRecorded(CaseRecord record) {

@@ -94,6 +94,7 @@ record Preparation(
       requireReachable(simulator.target(), log);
       Path description = directory.resolve("activity").resolve(world);
       prepared = true;
+      listener.simulated(simulator::motion);
       return new Prepared(
           new World(description, simulator::open), simulator, version, signals, hardware);
     } catch (WorldException e) {

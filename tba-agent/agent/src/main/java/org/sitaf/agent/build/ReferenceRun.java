@@ -11,7 +11,6 @@ import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseRecord;
-import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.ReferenceValues;
 
 /**
@@ -22,21 +21,6 @@ import org.sitaf.core.verdict.ReferenceValues;
  * @param directory for the files of the run
  */
 record ReferenceRun(TestApplication application, Path directory, BuildSettings settings) {
-  private static final BuildListener NOBODY =
-      new BuildListener() {
-        @Override
-        public void stage(BuildStage stage) {}
-
-        @Override
-        public void log(byte[] utf8) {}
-
-        @Override
-        public void caseFinished(CaseResult result) {}
-
-        @Override
-        public void recorded(int no, Path recording) {}
-      };
-
   /**
    * The suite with the outputs of the reference as expected values where it has none.
    *
@@ -60,7 +44,7 @@ record ReferenceRun(TestApplication application, Path directory, BuildSettings s
                 InterfaceTestApplicationGenerator.ofReference(application),
                 directory,
                 plain,
-                NOBODY,
+                new QuietBuild(),
                 records::add)
             .stages(log);
     if (outcome instanceof BuildOutcome.CompilationFailed failed) {

@@ -116,27 +116,7 @@ record RelationRuns(
   }
 
   /** The recordings of second runs are reported with their cases. */
-  private static final class Unreported implements BuildListener, OutputSink {
-    @Override
-    public void stage(BuildStage stage) {
-      // Nothing is reported.
-    }
-
-    @Override
-    public void log(byte[] utf8) {
-      // Nothing is reported.
-    }
-
-    @Override
-    public void caseFinished(CaseResult result) {
-      // Nothing is reported.
-    }
-
-    @Override
-    public void recorded(int no, Path recording) {
-      // Nothing is reported.
-    }
-
+  private static final class Unreported extends QuietBuild implements OutputSink {
     @Override
     public void output(String text, int caseNo) {
       // Nothing is reported.

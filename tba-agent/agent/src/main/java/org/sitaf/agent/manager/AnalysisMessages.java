@@ -6,13 +6,16 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.analysis.AnalysisOrder;
 import org.sitaf.agent.build.AnalysisReport.Explained;
+import org.sitaf.agent.build.AnalysisReport.Repeated;
 import org.sitaf.agent.build.AnalysisReport.Scored;
 import org.sitaf.agent.v1.AnalysisReport;
 import org.sitaf.agent.v1.ExplainedCause;
 import org.sitaf.agent.v1.ExplainedInput;
 import org.sitaf.agent.v1.FailureBoundary;
+import org.sitaf.agent.v1.FlakyCase;
 import org.sitaf.agent.v1.FurtherCase;
 import org.sitaf.agent.v1.NamedLiteral;
+import org.sitaf.agent.v1.Repetition;
 import org.sitaf.agent.v1.Score;
 import org.sitaf.agent.v1.ScoredOutput;
 import org.sitaf.agent.v1.SurvivingFault;
@@ -20,6 +23,9 @@ import org.sitaf.core.explain.Explanation;
 import org.sitaf.core.explain.Explanation.Boundary;
 import org.sitaf.core.explain.Explanation.Cause;
 import org.sitaf.core.score.SpecificationScore;
+import org.sitaf.core.score.SpecificationScore.Survivor;
+import org.sitaf.core.score.mutation.MutationScore;
+import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.TestResultXml;
 
 /** Converts analyses from and to messages of the protocol; texts and lists are limited. */
@@ -39,28 +45,55 @@ final class AnalysisMessages {
   static AnalysisOrder order(org.sitaf.agent.v1.AnalysisOrder message, byte @Nullable [] analysed) {
     int cases = (int) Math.min(Integer.toUnsignedLong(message.getMaxCases()), Integer.MAX_VALUE);
     return switch (message.getKind()) {
-      case SCORE -> new AnalysisOrder(null, cases);
-      case EXPLANATION -> {
-        if (analysed == null) {
-          throw new IllegalArgumentException("the assignment has no result to explain");
-        }
-        yield new AnalysisOrder(
-            TestResultXml.read(new ByteArrayInputStream(analysed), "analysed-result.xml"), cases);
-      }
+      case SCORE -> new AnalysisOrder.Score(cases);
+      case EXPLANATION -> new AnalysisOrder.Explain(result(analysed), cases);
+      case REPETITION -> new AnalysisOrder.Repeat(result(analysed), cases);
       case KIND_UNSPECIFIED, UNRECOGNIZED ->
           throw new IllegalArgumentException(
               "the kind of the analysis is not known; update the agent");
     };
   }
 
+  private static TestResult result(byte @Nullable [] analysed) {
+    if (analysed == null) {
+      throw new IllegalArgumentException("the assignment has no result to analyse");
+    }
+    return TestResultXml.read(new ByteArrayInputStream(analysed), "analysed-result.xml");
+  }
+
   static AnalysisReport of(org.sitaf.agent.build.AnalysisReport report) {
     if (report instanceof Scored scored) {
-      return AnalysisReport.newBuilder().setScore(score(scored.score())).build();
+      return AnalysisReport.newBuilder().setScore(score(scored)).build();
     }
     if (report instanceof Explained explained) {
       return AnalysisReport.newBuilder().setExplanation(explanation(explained)).build();
     }
+    if (report instanceof Repeated repeated) {
+      return AnalysisReport.newBuilder().setRepetition(repetition(repeated)).build();
+    }
     throw new IllegalArgumentException("unknown report " + report);
+  }
+
+  private static Repetition repetition(Repeated repeated) {
+    Repetition.Builder message =
+        Repetition.newBuilder().setRuns(repeated.runs()).setCount(repeated.flaky().size());
+    repeated.flaky().stream()
+        .limit(MAX_ITEMS)
+        .forEach(
+            f ->
+                message.addCases(
+                    FlakyCase.newBuilder()
+                        .setNo(f.no())
+                        .setCause(
+                            switch (f.cause()) {
+                              case COMPONENT -> FlakyCase.Cause.COMPONENT;
+                              case SIMULATOR -> FlakyCase.Cause.SIMULATOR;
+                              case MACHINE -> FlakyCase.Cause.MACHINE;
+                              case UNKNOWN -> FlakyCase.Cause.UNKNOWN;
+                            })
+                        .addAllVerdicts(f.verdicts().stream().map(Enum::name).toList())
+                        .setReason(cut(f.reason()))));
+    return message.build();
   }
 
   private static org.sitaf.agent.v1.Explanation explanation(Explained explained) {
@@ -126,7 +159,8 @@ final class AnalysisMessages {
         .toList();
   }
 
-  private static Score score(SpecificationScore score) {
+  private static Score score(Scored scored) {
+    SpecificationScore score = scored.score();
     Score.Builder message =
         Score.newBuilder()
             .setInjected(score.injected())
@@ -134,15 +168,20 @@ final class AnalysisMessages {
             .setEquivalent(score.equivalent())
             .addAllWarnings(
                 score.warnings().stream().limit(MAX_ITEMS).map(AnalysisMessages::cut).toList());
-    score.survivors().stream()
-        .limit(MAX_ITEMS)
-        .forEach(
-            s ->
-                message.addSurvivors(
-                    SurvivingFault.newBuilder()
-                        .setFault(cut(s.fault()))
-                        .setWhere(cut(s.where()))
-                        .setSuggestion(cut(s.suggestion()))));
+    message.addAllSurvivors(survivors(score.survivors()));
+    MutationScore mutations = scored.mutations();
+    if (mutations != null) {
+      message.setMutations(
+          org.sitaf.agent.v1.MutationScore.newBuilder()
+              .setMade(mutations.made())
+              .setNoticed(mutations.noticed())
+              .addAllSurvivors(survivors(mutations.survivors()))
+              .addAllUnchanged(
+                  mutations.unchanged().stream()
+                      .limit(MAX_ITEMS)
+                      .map(m -> cut(m.where() + ": " + m.change()))
+                      .toList()));
+    }
     score
         .byOutput()
         .forEach(
@@ -153,6 +192,19 @@ final class AnalysisMessages {
                         .setChanged(count.changed())
                         .setNoticed(count.noticed())));
     return message.build();
+  }
+
+  private static List<SurvivingFault> survivors(List<Survivor> survivors) {
+    return survivors.stream()
+        .limit(MAX_ITEMS)
+        .map(
+            s ->
+                SurvivingFault.newBuilder()
+                    .setFault(cut(s.fault()))
+                    .setWhere(cut(s.where()))
+                    .setSuggestion(cut(s.suggestion()))
+                    .build())
+        .toList();
   }
 
   private static String cut(String text) {

@@ -40,9 +40,13 @@ public record ProcessPlace(
 
   /** Environment variables that let a runtime wait for a debugger; may be empty. */
   public Map<String, String> debuggerVariables() {
-    return debugging == null
-        ? Map.of()
-        : Map.of(DebugPlace.VARIABLE, debugging.folder().toString());
+    if (debugging == null) {
+      return Map.of();
+    }
+    String folder = debugging.folder().toString();
+    return debugging.order().inTerminal()
+        ? Map.of(DebugPlace.VARIABLE, folder)
+        : Map.of(DebugPlace.VARIABLE, folder, DebugPlace.PORT, Integer.toString(debugging.port()));
   }
 
   /** Environment variables that let the C library fill memory that it allocates; may be empty. */

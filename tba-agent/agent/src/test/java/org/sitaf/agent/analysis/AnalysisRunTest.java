@@ -6,11 +6,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.AnalysisReport.Explained;
+import org.sitaf.agent.build.AnalysisReport.Repeated;
 import org.sitaf.agent.build.AnalysisReport.Scored;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildOutcome.Analysed;
@@ -20,7 +22,10 @@ import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.testing.Recording;
 import org.sitaf.core.explain.Explanation.Cause;
+import org.sitaf.core.flaky.FlakyCase;
+import org.sitaf.core.flaky.FlakyCause;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.score.mutation.MutationScore;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -56,7 +61,7 @@ class AnalysisRunTest {
 
   @Test
   void failuresAreExplainedWithFurtherCases() throws Exception {
-    BuildOutcome outcome = analysis(new AnalysisOrder(executed(), 50), recording).run();
+    BuildOutcome outcome = analysis(new AnalysisOrder.Explain(executed(), 50), recording).run();
 
     Explained explained = (Explained) ((Analysed) outcome).report();
     assertThat(explained.explanation().unexplained()).isEmpty();
@@ -81,12 +86,46 @@ class AnalysisRunTest {
 
   @Test
   void theSpecificationIsScored() throws Exception {
-    BuildOutcome outcome = analysis(new AnalysisOrder(null, 50), recording).run();
+    BuildOutcome outcome = analysis(new AnalysisOrder.Score(50), recording).run();
 
     Scored scored = (Scored) ((Analysed) outcome).report();
     assertThat(scored.score().injected()).isPositive();
     assertThat(scored.score().noticed()).isPositive();
+    MutationScore mutations = Objects.requireNonNull(scored.mutations());
+    // Of `value > 3`: both other comparisons. Of `0` nothing, which is no returned value alone.
+    assertThat(mutations.made())
+        .isEqualTo(
+            mutations.noticed() + mutations.unchanged().size() + mutations.survivors().size());
+    assertThat(mutations.noticed()).isGreaterThanOrEqualTo(2);
     assertThat(recording.cases()).hasSizeGreaterThanOrEqualTo(5);
+  }
+
+  @Test
+  void repeatedRunsFindTheCaseThatDiffers() throws Exception {
+    TestApplication clock =
+        EchoActivity.withBody("return value == 3 ? (int) System.nanoTime() : value;").generated();
+    BuildOutcome outcome =
+        new AnalysisRun(
+                clock,
+                new AnalysisOrder.Repeat(executed(), 17),
+                directory.resolve("analysis"),
+                EchoActivity.settings(SandboxMode.AUTO.open()),
+                recording)
+            .run();
+
+    Repeated repeated = (Repeated) ((Analysed) outcome).report();
+    assertThat(repeated.runs()).isEqualTo(3);
+    assertThat(repeated.flaky()).extracting(FlakyCase::no).containsExactly(3, 4, 5);
+    assertThat(repeated.flaky().get(0).line())
+        .isEqualTo(
+            "case 3: PASS FAIL FAIL FAIL; the component: its inputs are equal, and what it returns"
+                + " differs");
+    assertThat(repeated.flaky().get(1).cause()).isEqualTo(FlakyCause.UNKNOWN);
+    assertThat(recording.cases())
+        .extracting(CaseResult::no)
+        .containsExactlyElementsOf(java.util.stream.IntStream.rangeClosed(1, 15).boxed().toList());
+    assertThat(Files.readString(directory.resolve("analysis").resolve(BuildRun.LOG)))
+        .contains("[sitaf] run 3 of 3: 1 of 5 cases did not pass");
   }
 
   @Test
@@ -95,7 +134,7 @@ class AnalysisRunTest {
     AtomicReference<AnalysisRun> run = new AtomicReference<>();
     run.set(
         analysis(
-            new AnalysisOrder(executed, 50),
+            new AnalysisOrder.Explain(executed, 50),
             new Recording() {
               @Override
               public void caseFinished(CaseResult result) {
@@ -119,7 +158,7 @@ class AnalysisRunTest {
             executed().cases().stream().filter(c -> c.verdict() == Verdict.PASS).toList(),
             null,
             List.of());
-    BuildOutcome outcome = analysis(new AnalysisOrder(passed, 50), recording).run();
+    BuildOutcome outcome = analysis(new AnalysisOrder.Explain(passed, 50), recording).run();
 
     assertThat(((Explained) ((Analysed) outcome).report()).explanation().causes()).isEmpty();
     assertThat(recording.cases()).isEmpty();

@@ -1,18 +1,26 @@
 package org.sitaf.server.build.agent;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sitaf.agent.v1.AnalysisOrder;
 import org.sitaf.agent.v1.AnalysisReport;
 import org.sitaf.agent.v1.ExplainedCause;
 import org.sitaf.agent.v1.Explanation;
+import org.sitaf.agent.v1.FlakyCase;
+import org.sitaf.agent.v1.MutationScore;
 import org.sitaf.agent.v1.NamedLiteral;
+import org.sitaf.agent.v1.Repetition;
 import org.sitaf.agent.v1.Score;
+import org.sitaf.agent.v1.SurvivingFault;
 import org.sitaf.core.explain.Explanation.Boundary;
 import org.sitaf.core.explain.Explanation.Cause;
+import org.sitaf.core.flaky.FlakyCause;
 import org.sitaf.core.verdict.Verdict;
 import org.sitaf.server.build.BuildKind;
 import org.sitaf.server.build.analysis.ExplanationView;
+import org.sitaf.server.build.analysis.RepetitionView;
 import org.sitaf.server.build.analysis.ScoreView;
 import org.sitaf.server.error.RequestException;
 
@@ -29,8 +37,24 @@ final class AnalysisMessages {
     return switch (report.getReportCase()) {
       case EXPLANATION -> BuildKind.EXPLANATION;
       case SCORE -> BuildKind.SCORE;
+      case REPETITION -> BuildKind.REPETITION;
       case REPORT_NOT_SET ->
-          throw RequestException.malformed("analysis: must be an explanation or a score.");
+          throw RequestException.malformed(
+              "analysis: must be an explanation, a score or a repetition.");
+    };
+  }
+
+  /**
+   * The kind of an order.
+   *
+   * @throws IllegalArgumentException if the build is not an analysis
+   */
+  static AnalysisOrder.Kind orderOf(BuildKind kind) {
+    return switch (kind) {
+      case EXPLANATION -> AnalysisOrder.Kind.EXPLANATION;
+      case SCORE -> AnalysisOrder.Kind.SCORE;
+      case REPETITION -> AnalysisOrder.Kind.REPETITION;
+      case TEST -> throw new IllegalArgumentException("a test is not an analysis");
     };
   }
 
@@ -39,7 +63,11 @@ final class AnalysisMessages {
     if (report.getSerializedSize() > MAX_BYTES) {
       throw RequestException.malformed("analysis: must be at most 3 MiB.");
     }
-    return report.hasScore() ? score(report.getScore()) : explanation(report.getExplanation());
+    return switch (kind(report)) {
+      case SCORE -> score(report.getScore());
+      case REPETITION -> repetition(report.getRepetition());
+      default -> explanation(report.getExplanation());
+    };
   }
 
   private static ExplanationView explanation(Explanation message) {
@@ -97,6 +125,42 @@ final class AnalysisMessages {
     return map;
   }
 
+  private static RepetitionView repetition(Repetition message) {
+    if (message.getCasesCount() > MAX_ITEMS) {
+      throw RequestException.malformed("repetition.cases: must be at most " + MAX_ITEMS + ".");
+    }
+    return new RepetitionView(
+        message.getRuns(),
+        message.getCount(),
+        message.getCasesList().stream().map(AnalysisMessages::flaky).toList());
+  }
+
+  private static RepetitionView.FlakyCaseView flaky(FlakyCase message) {
+    return new RepetitionView.FlakyCaseView(
+        message.getNo(),
+        switch (message.getCause()) {
+          case COMPONENT -> FlakyCause.COMPONENT;
+          case SIMULATOR -> FlakyCause.SIMULATOR;
+          case MACHINE -> FlakyCause.MACHINE;
+          case UNKNOWN -> FlakyCause.UNKNOWN;
+          case CAUSE_UNSPECIFIED, UNRECOGNIZED ->
+              throw RequestException.malformed(
+                  "repetition.cases.cause: must be COMPONENT, SIMULATOR, MACHINE or UNKNOWN.");
+        },
+        message.getVerdictsList().stream().map(AnalysisMessages::verdict).toList(),
+        message.getReason());
+  }
+
+  private static Verdict verdict(String name) {
+    return Arrays.stream(Verdict.values())
+        .filter(v -> v.name().equals(name))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                RequestException.malformed(
+                    "repetition.cases.verdicts: must be PASS, FAIL, ERROR or DONT."));
+  }
+
   private static ScoreView score(Score message) {
     if (message.getSurvivorsCount() > MAX_ITEMS) {
       throw RequestException.malformed("score.survivors: must be at most " + MAX_ITEMS + ".");
@@ -105,12 +169,29 @@ final class AnalysisMessages {
         message.getInjected(),
         message.getNoticed(),
         message.getEquivalent(),
-        message.getSurvivorsList().stream()
-            .map(s -> new ScoreView.SurvivorView(s.getFault(), s.getWhere(), s.getSuggestion()))
-            .toList(),
+        survivors(message.getSurvivorsList()),
         message.getOutputsList().stream()
             .map(o -> new ScoreView.OutputView(o.getOutput(), o.getChanged(), o.getNoticed()))
             .toList(),
-        message.getWarningsList());
+        message.getWarningsList(),
+        message.hasMutations() ? mutations(message.getMutations()) : null);
+  }
+
+  private static ScoreView.MutationScoreView mutations(MutationScore message) {
+    if (message.getSurvivorsCount() > MAX_ITEMS || message.getUnchangedCount() > MAX_ITEMS) {
+      throw RequestException.malformed(
+          "score.mutations: survivors and unchanged must be at most " + MAX_ITEMS + ".");
+    }
+    return new ScoreView.MutationScoreView(
+        message.getMade(),
+        message.getNoticed(),
+        survivors(message.getSurvivorsList()),
+        message.getUnchangedList());
+  }
+
+  private static List<ScoreView.SurvivorView> survivors(List<SurvivingFault> faults) {
+    return faults.stream()
+        .map(s -> new ScoreView.SurvivorView(s.getFault(), s.getWhere(), s.getSuggestion()))
+        .toList();
   }
 }

@@ -74,10 +74,7 @@ final class Messages {
     if (assignment.kind() != BuildKind.TEST) {
       message.setAnalysis(
           AnalysisOrder.newBuilder()
-              .setKind(
-                  assignment.kind() == BuildKind.SCORE
-                      ? AnalysisOrder.Kind.SCORE
-                      : AnalysisOrder.Kind.EXPLANATION)
+              .setKind(AnalysisMessages.orderOf(assignment.kind()))
               .setMaxCases(assignment.cases()));
     }
     assignment.files().stream()

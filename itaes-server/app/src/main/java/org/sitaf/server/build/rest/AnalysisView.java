@@ -7,9 +7,10 @@ import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.analysis.ExplanationView;
+import org.sitaf.server.build.analysis.RepetitionView;
 import org.sitaf.server.build.analysis.ScoreView;
 
-/** An analysis of a build: an explanation or a score. */
+/** An analysis of a build: an explanation, a score or a repetition. */
 @Schema(name = "BuildAnalysis")
 record AnalysisView(
     @Schema(description = "id of the analysis, which is a build: it can be cancelled and has a log")
@@ -24,12 +25,14 @@ record AnalysisView(
     @Schema(description = "why it is queued; only while QUEUED") @Nullable String waitingFor,
     @Schema(description = "why it failed; only when FAILED") @Nullable String failure,
     @Schema(description = "only of a finished explanation") @Nullable ExplanationView explanation,
-    @Schema(description = "only of a finished score") @Nullable ScoreView score) {
-  static AnalysisView of(
-      Build analysis,
-      @Nullable String waitingFor,
-      @Nullable ExplanationView explanation,
-      @Nullable ScoreView score) {
+    @Schema(description = "only of a finished score") @Nullable ScoreView score,
+    @Schema(description = "only of a finished repetition") @Nullable RepetitionView repetition) {
+  /**
+   * An analysis as it is now.
+   *
+   * @param report of its kind; null if it has none
+   */
+  static AnalysisView of(Build analysis, @Nullable String waitingFor, @Nullable Object report) {
     return new AnalysisView(
         analysis.id(),
         analysis.state(),
@@ -41,8 +44,9 @@ record AnalysisView(
         analysis.casesTotal(),
         waitingFor,
         analysis.failure().map(AnalysisView::text).orElse(null),
-        explanation,
-        score);
+        report instanceof ExplanationView explanation ? explanation : null,
+        report instanceof ScoreView score ? score : null,
+        report instanceof RepetitionView repetition ? repetition : null);
   }
 
   private static String text(BuildFailure failure) {

@@ -23,6 +23,7 @@ import org.sitaf.server.build.BuildKind;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.agent.WaitingReason;
 import org.sitaf.server.build.analysis.ExplanationView;
+import org.sitaf.server.build.analysis.RepetitionView;
 import org.sitaf.server.build.analysis.ScoreView;
 import org.sitaf.server.error.RequestException;
 import org.springframework.http.ContentDisposition;
@@ -32,6 +33,7 @@ import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PathVariable;
 import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
@@ -41,6 +43,8 @@ import tools.jackson.databind.json.JsonMapper;
 @RequestMapping("/api/v1/builds/{id}")
 @Tag(name = "analyses")
 class BuildAnalysisController {
+  private static final int DEFAULT_RUNS = 10;
+
   private final Analyses analyses;
   private final WaitingReason waiting;
   private final JsonMapper json;
@@ -50,6 +54,12 @@ class BuildAnalysisController {
     this.waiting = waiting;
     this.json = json;
   }
+
+  /** How often the cases are repeated. */
+  @Schema(name = "RepetitionRequest")
+  record RepetitionRequest(
+      @Schema(description = "number of further runs, 1 to 100; default 10")
+          @Nullable Integer runs) {}
 
   /** The id of the build that was requested. */
   @Schema(name = "RequestedBuild")
@@ -95,6 +105,30 @@ class BuildAnalysisController {
       description = "Fails with 404 if none was requested.")
   AnalysisView score(@PathVariable String id) {
     return latest(id, BuildKind.SCORE);
+  }
+
+  @PostMapping("/repetition")
+  @Operation(
+      operationId = "requestRepetition",
+      summary = "Requests further runs of the cases of a build",
+      description =
+          "An agent executes the cases in new processes, and finds those whose verdicts or values"
+              + " differ between the runs. Fails with 409 if a repetition of the build has not"
+              + " ended.")
+  @ResponseStatus(HttpStatus.CREATED)
+  AnalysisView requestRepetition(
+      @PathVariable String id, @RequestBody(required = false) @Nullable RepetitionRequest request) {
+    analyses.repeat(id, request == null || request.runs() == null ? DEFAULT_RUNS : request.runs());
+    return latest(id, BuildKind.REPETITION);
+  }
+
+  @GetMapping("/repetition")
+  @Operation(
+      operationId = "getRepetition",
+      summary = "Returns the latest repetition of a build",
+      description = "Fails with 404 if none was requested.")
+  AnalysisView repetition(@PathVariable String id) {
+    return latest(id, BuildKind.REPETITION);
   }
 
   @PostMapping("/explanation/causes/{no}/run")
@@ -184,11 +218,15 @@ class BuildAnalysisController {
     return AnalysisView.of(
         analysis,
         analysis.state() == BuildState.QUEUED ? waiting.of(analysis) : null,
-        report == null || analysis.kind() != BuildKind.EXPLANATION
-            ? null
-            : json.readValue(report, ExplanationView.class),
-        report == null || analysis.kind() != BuildKind.SCORE
-            ? null
-            : json.readValue(report, ScoreView.class));
+        report == null ? null : json.readValue(report, documentOf(analysis.kind())));
+  }
+
+  private static Class<?> documentOf(BuildKind kind) {
+    return switch (kind) {
+      case EXPLANATION -> ExplanationView.class;
+      case SCORE -> ScoreView.class;
+      case REPETITION -> RepetitionView.class;
+      case TEST -> throw new IllegalArgumentException("a test is not an analysis");
+    };
   }
 }

@@ -8,6 +8,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 import org.sitaf.server.build.AttemptKey;
@@ -127,9 +128,9 @@ public class StoredSignals {
   /**
    * Finds the signals of a case.
    *
-   * @throws RequestException if there are none
+   * @throws RequestException if there is no such build
    */
-  Found find(String buildId, int caseNo) {
+  Optional<Found> find(String buildId, int caseNo) {
     builds.inspect(buildId, build -> build.id());
     return jdbc.sql(
             "SELECT s.sha256 FROM case_signals s JOIN attempt a ON a.token = s.token"
@@ -138,10 +139,7 @@ public class StoredSignals {
         .param("build", buildId)
         .param("case", caseNo)
         .query((row, index) -> new Found(row.getString(1)))
-        .optional()
-        .orElseThrow(
-            () ->
-                RequestException.notFound("signals in build " + buildId + " of case", caseNo + ""));
+        .optional();
   }
 
   /** SHA-256 of the signals of a build by the number of the case. */

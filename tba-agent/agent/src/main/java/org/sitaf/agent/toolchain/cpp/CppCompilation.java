@@ -28,7 +28,6 @@ import org.sitaf.core.activity.ActivityProfile;
 final class CppCompilation {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent.toolchain");
 
-  private static final String MISFIT = "the component does not fit the generated test application";
   private static final String NOT_LINKED = "the test application cannot be linked";
 
   private final Compilation compilation;
@@ -141,7 +140,7 @@ final class CppCompilation {
     thread.setDaemon(true);
     thread.start();
     try {
-      requireSuccess("the sources do not compile", MISFIT, "", ends);
+      requireSuccess("the sources do not compile", CompilationException.MISFIT, "", ends);
       writeWarnings(all);
       link(all, cacheTask);
     } finally {

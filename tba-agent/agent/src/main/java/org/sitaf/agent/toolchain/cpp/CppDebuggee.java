@@ -33,6 +33,9 @@ record CppDebuggee(DebugPlace place, long pid, Path program) implements Debuggee
     // These would ask before the terminal shows why.
     command.addAll(
         List.of("-q", "-iex", "set debuginfod enabled off", "-iex", "set pagination off"));
+    // gdb asks libthread_db about each thread that it meets, and stops with "Cannot find user-level
+    // thread" when gRPC's pool ends the thread meanwhile.
+    command.addAll(List.of("-iex", "set libthread-db-search-path /dev/null"));
     command.addAll(List.of("-p", Long.toString(pid)));
     command.addAll(List.of("-ex", "set breakpoint pending on", "-ex", sources()));
     for (String breakpoint : breakpoints()) {

@@ -17,6 +17,9 @@ public record DebugPlace(DebugOrder order, Path folder, int port) {
   /** Environment variable for the runtimes of C++ and Python: the folder. */
   public static final String VARIABLE = "SITAF_DEBUGGER";
 
+  /** Environment variable for the runtime of Python: the port, for another debugger. */
+  public static final String PORT = "SITAF_DEBUGGER_PORT";
+
   /** Name of the pipe in the folder. */
   public static final String PIPE = "go";
 

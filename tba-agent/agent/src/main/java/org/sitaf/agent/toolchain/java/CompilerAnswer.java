@@ -127,7 +127,7 @@ final class CompilerAnswer implements CompilerProcess.Answer {
     sorted.sort(Comparator.comparing(SourceDiagnostic::generated));
     String what =
         errors.stream().allMatch(SourceDiagnostic::generated)
-            ? "the component does not fit the generated test application"
+            ? CompilationException.MISFIT
             : "the sources do not compile";
     String number = count == 1 ? "1 error" : count + " errors";
     String first = sorted.get(0).toString().lines().findFirst().orElse("");
