@@ -78,9 +78,11 @@ def test_a_shared_object_that_needs_another_of_the_activity(sitaf, built_cpp, tm
     change(activity / "activity.yaml", library="lib/libinfrared.so", headers="include/")
     profile = activity / "activity.yaml"
     profile.write_text(profile.read_text().replace("libraries: []", "libraries: [lib/libbounds.so]"))
-    run = sitaf("run", activity)
-    assert run.returncode == 0, run.stdout + run.stderr
-    assert PASSED in run.stdout
+    # The second run uses the program of the first one, whose folder is gone. The libraries have no SONAME.
+    for _ in range(2):
+        run = sitaf("run", activity)
+        assert run.returncode == 0, run.stdout + run.stderr
+        assert PASSED in run.stdout
 
 
 @cpp

@@ -78,7 +78,10 @@ record CppLibraries(
       } else if (file.endsWith(".a")) {
         link.add(path.toString());
       } else {
-        link.add(copyToOutput(compilation, path).toString());
+        Path copy = copyToOutput(compilation, path);
+        // By name: with its path, a library without a SONAME would be needed in the folder of this
+        // build, also by a later build that uses the same program.
+        link.addAll(List.of("-L" + copy.getParent(), "-l:" + copy.getFileName()));
       }
     }
     if (cmake != null) {
