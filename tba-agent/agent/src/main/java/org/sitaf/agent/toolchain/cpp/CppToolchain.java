@@ -113,7 +113,11 @@ public final class CppToolchain implements Toolchain {
 
   @Override
   public String identity() throws IOException, InterruptedException {
-    return compiler.identity() + " " + Compiler.OPTIONS + "\n" + runtime.build().name();
+    return String.join(
+        "\n",
+        compiler.identity() + " " + Compiler.OPTIONS,
+        Linking.LIBRARIES_BY_NAME,
+        runtime.build().name());
   }
 
   @Override

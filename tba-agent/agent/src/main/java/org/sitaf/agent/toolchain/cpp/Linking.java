@@ -24,6 +24,9 @@ final class Linking {
 
   private static final String OPENED = "linked.d";
 
+  /** Part of the toolchain's identity: programs that were linked otherwise are not used again. */
+  static final String LIBRARIES_BY_NAME = "-l:NAME";
+
   /** An option of the compiler that also adds a library. */
   private static final String OPENMP = "-fopenmp";
 
