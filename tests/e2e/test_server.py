@@ -12,14 +12,21 @@ import urllib.request
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "contract"))
+
+from provider_contract import running, simulated  # noqa: E402
 
 
 @dataclass(frozen=True)
 class Server:
     address: str
     token: str
+    # Where the agent looks for the provider of its real devices ir1 to ir7.
+    provider: Path
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +34,10 @@ def server(sitaf, tmp_path_factory):
     """Server and agent of `up`, and an API token created with the sign-in link."""
     data = tmp_path_factory.mktemp("up")
     up = subprocess.Popen(
-        [sitaf.root / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", str(data)],
+        [
+            sitaf.root / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", str(data),
+            *(word for n in range(1, 8) for word in ("--device", f"ir{n}=unix:{data}/provider")),
+        ],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         text=True,
@@ -47,7 +57,7 @@ def server(sitaf, tmp_path_factory):
         )
         with browser.open(request) as answer:
             token = json.load(answer)["secret"]
-        yield Server(address, token)
+        yield Server(address, token, data / "provider")
     finally:
         # Processes in the background of a shell ignore SIGINT.
         up.send_signal(signal.SIGTERM)
@@ -72,6 +82,38 @@ def test_failed_cases_have_the_same_exit_code_remotely(sitaf, server):
     run = sitaf("run", "examples/ir-sensor-faulty", "--server", server.address, env={"SITAF_TOKEN": server.token})
     assert run.returncode == 1, run.stdout + run.stderr
     assert "GetInfraredData: 55 cases, 50 PASS, 5 FAIL" in run.stdout
+
+
+def test_an_agent_tests_with_the_real_devices_that_it_offers(sitaf, server, activity, tmp_path):
+    pytest.importorskip("sitaf_hardware.wire", reason="pip install ./hardware/python")
+    profile = activity / "activity.yaml"
+    # The agent uses its own address, and never the one of an uploaded activity.
+    elsewhere = f"unix:{tmp_path}/nothing"
+    lines = [f'  ir{n}: {{backend: provider, address: "{elsewhere}", max_age_s: 5}}\n' for n in range(1, 8)]
+    profile.write_text(
+        re.sub(r"(?m)^(limits|name):.*\n", "", profile.read_text())
+        + "name: ir-sensor-real\nhardware:\n" + "".join(lines) + "limits: {jitter_ms: 2000}\n"
+    )
+    result = tmp_path / "result.xml"
+    with running(lambda address: simulated("ir-sensor/world/ir.world.yaml", address)) as (_, address):
+        server.provider.symlink_to(address.removeprefix("unix:"))
+        # A heartbeat can be late on a busy machine, which makes a case DONT, but never FAIL or ERROR.
+        for _ in range(3):
+            run = sitaf(
+                "run", activity, "--server", server.address, "--result", result, env={"SITAF_TOKEN": server.token}
+            )
+            assert "0 FAIL, 0 ERROR" in run.stdout, run.stdout + run.stderr
+            if run.returncode == 0:
+                break
+    assert "55 cases, 55 PASS" in run.stdout
+    cases = ElementTree.parse(result).getroot().findall(".//test_result")
+    assert all(len(case.find("hardware").findall("device")) == 7 for case in cases)
+    agents = answer(server, "/api/v1/agents")
+    assert agents[0]["devices"] == [f"ir{n}" for n in range(1, 8)]
+    build = re.search(r"/builds/([\w-]+)", run.stderr).group(1)
+    devices = answer(server, f"/api/v1/builds/{build}/result/cases?size=1")["items"][0]["devices"]
+    assert devices["devices"][0] == "ir1: a real device"
+    assert devices["safeStops"] == 1
 
 
 def test_cases_that_differ_between_remote_runs_are_listed_and_fail(sitaf, server, activity):

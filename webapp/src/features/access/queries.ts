@@ -1,7 +1,7 @@
 import { useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
 import { dataOf, useApi } from '@/shared/api';
 
-export const ROLES = ['VIEWER', 'TESTER', 'ADMINISTRATOR'] as const;
+export const ROLES = ['VIEWER', 'TESTER', 'OPERATOR', 'ADMINISTRATOR'] as const;
 export type Role = (typeof ROLES)[number];
 
 /** Maximum number of listed items. Larger installations are administered by scripts. */

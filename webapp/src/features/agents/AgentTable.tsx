@@ -10,7 +10,7 @@ interface AgentTableProps {
   brief?: boolean;
   /** Shows the actions of administrators. */
   mayChange?: boolean;
-  /** A part of a name, a label or a capability; without it, all agents are listed. */
+  /** A part of a name, a label, a device or a capability; without it, all agents are listed. */
   search?: string | undefined;
 }
 
@@ -127,6 +127,7 @@ function matches(agent: Agent, search: string | undefined): boolean {
     agent.standing,
     agent.version,
     ...agent.labels,
+    ...agent.devices,
     ...agent.toolchains.map(({ language, version }) => `${language} ${version}`),
   ]
     .join(' ')
@@ -152,7 +153,7 @@ function State({ agent }: { agent: Agent }) {
   );
 }
 
-function Capabilities({ agent: { toolchains, simulation } }: { agent: Agent }) {
+function Capabilities({ agent: { toolchains, simulation, devices } }: { agent: Agent }) {
   return (
     <Stack gap={0}>
       {toolchains.map(({ language, version }) => (
@@ -163,6 +164,11 @@ function Capabilities({ agent: { toolchains, simulation } }: { agent: Agent }) {
       <Text size="sm" {...(!simulation && { c: 'dimmed' })}>
         {simulation ? 'simulation' : 'no simulation'}
       </Text>
+      {devices.length > 0 && (
+        <Text size="sm">
+          <UserText>{`${devices.length === 1 ? 'device' : 'devices'} ${devices.join(', ')}`}</UserText>
+        </Text>
+      )}
     </Stack>
   );
 }

@@ -1,6 +1,6 @@
 import type { ReactNode } from 'react';
 import type { ResultCase, ResultParameter } from '@/shared/api';
-import { formatTime, plural } from '@/shared/lib/format';
+import { formatCount, formatTime, plural } from '@/shared/lib/format';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { UserText } from '@/shared/ui';
 import { CaseValues } from './CaseValues';
@@ -36,6 +36,7 @@ export function CaseFacts({ item, parameters, momentLink }: CaseFactsProps) {
         />
         <Fact name="Time in virtual hardware" value={formatTime(item.hardwareUs)} />
         <Fact name="Time in stubs" value={formatTime(item.stubUs)} />
+        {item.devices && <DeviceFacts devices={item.devices} />}
       </dl>
     </>
   );
@@ -59,6 +60,36 @@ function RepeatedFacts({ repeated }: { repeated: NonNullable<ResultCase['repeate
       {differs && <Fact name="Repeated calls differ" value={differs} />}
     </>
   );
+}
+
+/** What serves the devices, how late their time was, and what did not work. */
+function DeviceFacts({ devices }: { devices: NonNullable<ResultCase['devices']> }) {
+  return (
+    <>
+      <Fact name="Devices" value={devices.devices.join(', ')} />
+      <Fact
+        name="Jitter of the devices' time"
+        value={`${milliseconds(devices.maxJitterMs)} at most, ${milliseconds(devices.meanJitterMs)} on average, ${plural(devices.missedDeadlines, 'missed deadline')}`}
+      />
+      {devices.readings > 0 && (
+        <Fact
+          name="Readings of real devices"
+          value={`${formatCount(devices.readings)}, at most ${milliseconds(devices.maxAgeMs)} old, ${formatCount(devices.staleReadings)} too old`}
+        />
+      )}
+      <Fact
+        name="Safety of the devices"
+        value={`${plural(devices.refusedCommands, 'command')} refused, ${plural(devices.safeStops, 'safe stop')}`}
+      />
+      {devices.faults.length > 0 && (
+        <Fact name="Faults of the devices" value={devices.faults.join('; ')} />
+      )}
+    </>
+  );
+}
+
+function milliseconds(value: number): string {
+  return formatTime(value * 1000);
 }
 
 function Fact({ name, value, more }: { name: string; value: string; more?: ReactNode }) {

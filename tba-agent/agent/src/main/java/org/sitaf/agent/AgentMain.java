@@ -7,6 +7,7 @@ import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -81,6 +82,14 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "LABEL",
       description = "Label that builds can require, such as real-hardware. Repeatable.")
   private List<String> labels = List.of();
+
+  @Option(
+      names = "--device",
+      paramLabel = "NAME=ADDRESS",
+      description =
+          "Real device that builds may use: its name in their worlds, and the address of its"
+              + " provider, unix:/PATH or HOST:PORT. One build at a time has it. Repeatable.")
+  private Map<String, String> devices = Map.of();
 
   @Option(
       names = "--min-free-mib",
@@ -242,6 +251,7 @@ public final class AgentMain implements Callable<Integer> {
         sandbox,
         !noCoverage,
         Set.copyOf(labels),
+        devices,
         minFreeMib << 20,
         Duration.ofMinutes(longestBuildMin));
   }

@@ -9,6 +9,8 @@ public enum Role {
   VIEWER,
   /** Changes activities and runs builds. */
   TESTER,
+  /** Runs builds that use real devices, which move. */
+  OPERATOR,
   /** Manages users and agents. */
   ADMINISTRATOR;
 

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
+import org.sitaf.server.build.request.RealDevices;
 import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.result.Results;
@@ -82,6 +83,7 @@ class AnalysisQueue {
   }
 
   private Build queue(Build analysed, BuildKind kind, int maxCases) {
+    RealDevices.requireNone(analysed.requirements());
     Optional<Build> latest = latest(analysed.id(), kind);
     if (latest.isPresent() && !latest.get().state().isOver()) {
       throw RequestException.conflict(

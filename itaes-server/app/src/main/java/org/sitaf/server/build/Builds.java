@@ -28,6 +28,7 @@ import org.sitaf.server.activity.ActivityDeletion;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.BuildSource;
+import org.sitaf.server.build.request.RealDevices;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.error.RequestException;
@@ -329,6 +330,7 @@ public class Builds {
       @Nullable Reservation reservation,
       Consumer<String> stored) {
     Requirements requirements = Requirements.of(application, options.agent());
+    RealDevices.requireAllowed(requirements, options);
     List<StoredFile> files = contents.store(application.files());
     Build build =
         create(

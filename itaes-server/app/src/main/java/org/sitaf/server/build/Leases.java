@@ -4,7 +4,9 @@ import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -64,6 +66,7 @@ public class Leases {
    * @param kind what the agent does with the application
    * @param cases number of cases, or the maximum number of further cases of an analysis
    * @param activity name of the activity
+   * @param devices the real devices that the build has alone
    * @param recordingBytes maximum total size of the recordings
    * @param signalBytes maximum total size of the signals
    */
@@ -75,6 +78,7 @@ public class Leases {
       String model,
       String language,
       List<StoredFile> files,
+      Set<String> devices,
       RecordedCases recordedCases,
       long recordingBytes,
       long signalBytes) {}
@@ -107,6 +111,7 @@ public class Leases {
             build.model(),
             build.language(),
             analyses.filesOf(build),
+            build.requirements().devices(),
             build.recordedCases(),
             settings.maxRecordings().toBytes(),
             settings.maxSignals().toBytes()));
@@ -125,6 +130,18 @@ public class Leases {
     return running.stream()
         .filter(key -> !valid.contains(key.token()))
         .collect(Collectors.toUnmodifiableSet());
+  }
+
+  /** The real devices that the builds of attempts use, by token of the attempt. */
+  @Transactional(readOnly = true)
+  public Map<Long, Set<String>> devices(Collection<AttemptKey> running) {
+    Map<Long, Set<String>> devices = new HashMap<>();
+    running.forEach(
+        key ->
+            builds
+                .findById(key.buildId())
+                .ifPresent(build -> devices.put(key.token(), build.requirements().devices())));
+    return devices;
   }
 
   /** Renews all leases, because agents could not do so while the server was down. */

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.HardwareReport;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.RelationResult;
 import org.sitaf.core.verdict.StepResult;
@@ -35,7 +36,8 @@ public record CaseView(
     @Schema(description = "time spent in stubs, in microseconds") @Nullable Double stubUs,
     @Schema(description = "why the verdict is not PASS") @Nullable String message,
     @Schema(description = "the steps of a sequence, in their order; empty if the case is one call")
-        List<StepView> steps) {
+        List<StepView> steps,
+    @Schema(description = "absent if all devices are simulated") @Nullable DevicesView devices) {
   public static CaseView of(CaseResult result) {
     CaseResult.ProcessingTime time = result.time();
     return new CaseView(
@@ -51,7 +53,42 @@ public record CaseView(
         time == null ? null : time.hardware(),
         time == null ? null : time.stub(),
         result.message().isEmpty() ? null : result.message(),
-        result.steps().stream().map(StepView::of).toList());
+        result.steps().stream().map(StepView::of).toList(),
+        result.hardware() == null ? null : DevicesView.of(result.hardware()));
+  }
+
+  /** What was measured of real and recorded devices, in the REST interface. */
+  @Schema(name = "DevicesOfCase", description = "real and recorded devices in a case")
+  public record DevicesView(
+      @Schema(description = "names with what serves them, such as ir1: a real device")
+          List<String> devices,
+      @Schema(description = "mean time by which steps ended too late on the wall clock, in ms")
+          double meanJitterMs,
+      @Schema(description = "greatest time by which a step ended too late, in ms")
+          double maxJitterMs,
+      @Schema(description = "steps that ended later than the next one should have")
+          long missedDeadlines,
+      @Schema(description = "of real devices") long readings,
+      @Schema(description = "greatest age of an accepted reading, in ms") double maxAgeMs,
+      @Schema(description = "readings that were too old") long staleReadings,
+      @Schema(description = "commands beyond an envelope") long refusedCommands,
+      @Schema(description = "how often the devices were stopped") long safeStops,
+      @Schema(description = "why devices did not work; empty if they did") List<String> faults) {
+    private static final double MS_PER_S = 1e3;
+
+    static DevicesView of(HardwareReport report) {
+      return new DevicesView(
+          report.devices(),
+          report.meanJitter() * MS_PER_S,
+          report.maxJitter() * MS_PER_S,
+          report.missedDeadlines(),
+          report.readings(),
+          report.maxAge() * MS_PER_S,
+          report.staleReadings(),
+          report.refusedCommands(),
+          report.safeStops(),
+          report.faults());
+    }
   }
 
   /** The result of a step of a sequence in the REST interface. */

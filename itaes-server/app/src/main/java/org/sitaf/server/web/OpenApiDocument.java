@@ -45,8 +45,8 @@ class OpenApiDocument {
                     "Automated interface testing of robot software components. Errors are problem"
                         + " details (RFC 9457): 401 without a session or token, 403 if the caller's"
                         + " role does not allow the operation. Reading requires the role VIEWER,"
-                        + " changing TESTER; users, the audit log, webhooks and agents' keys"
-                        + " require ADMINISTRATOR."))
+                        + " changing TESTER, and a build with real devices OPERATOR; users, the"
+                        + " audit log, webhooks and agents' keys require ADMINISTRATOR."))
         .components(
             new Components()
                 .addSecuritySchemes(

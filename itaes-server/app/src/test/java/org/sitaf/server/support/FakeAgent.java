@@ -71,6 +71,7 @@ public final class FakeAgent implements AutoCloseable {
   private final int port;
   private @Nullable StreamObserver<AgentMessage> stream;
   private volatile @Nullable String key;
+  private List<String> devices = List.of();
   private final BlockingQueue<ServerMessage> received = new LinkedBlockingQueue<>();
   private final CompletableFuture<Throwable> end = new CompletableFuture<>();
 
@@ -180,6 +181,18 @@ public final class FakeAgent implements AutoCloseable {
     return agent;
   }
 
+  /** Connects with real devices, registers, and waits for the response. */
+  public static FakeAgent offering(
+      int port, String name, int slots, List<String> devices, AttemptRef... running) {
+    FakeAgent agent = dial(port);
+    agent.devices = List.copyOf(devices);
+    agent.sendRegister(name, slots, List.of(), "java", running);
+    if (!agent.next().hasRegistered()) {
+      throw new AssertionError("not registered");
+    }
+    return agent;
+  }
+
   public void sendRegister(String name, String language, AttemptRef... running) {
     sendRegister(name, 1, List.of(), language, running);
   }
@@ -209,6 +222,7 @@ public final class FakeAgent implements AutoCloseable {
                         .setSimulation(true)
                         .setAnalyses(true)
                         .addAllLabels(labels)
+                        .addAllDevices(devices)
                         .addToolchains(
                             Toolchain.newBuilder().setLanguage(language).setVersion("test"))
                         .addAllRunning(List.of(running)))

@@ -3,6 +3,8 @@ package org.sitaf.server.support;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.UUID;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.sitaf.server.SitafServer;
@@ -86,6 +88,28 @@ public abstract class ServerTest {
 
   protected int grpcPort() {
     return grpc.getPort();
+  }
+
+  /** The token of a new user with a role. */
+  protected String tokenOf(String role) {
+    String name = role.toLowerCase(Locale.ROOT) + "-" + UUID.randomUUID();
+    String password =
+        api.post("/api/v1/users", "{\"name\":\"%s\",\"role\":\"%s\"}".formatted(name, role))
+            .expect(201)
+            .json()
+            .get("password")
+            .asString();
+    Browser browser = new Browser(httpPort);
+    browser.signIn(name, password).expect(200);
+    return browser
+        .send(
+            "POST",
+            "/api/v1/tokens",
+            "{\"name\":\"of a test\",\"role\":\"%s\",\"days\":1}".formatted(role))
+        .expect(201)
+        .json()
+        .get("secret")
+        .asString();
   }
 
   public static Path temporary() {

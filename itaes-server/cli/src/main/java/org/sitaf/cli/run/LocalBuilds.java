@@ -72,6 +72,23 @@ public final class LocalBuilds implements AutoCloseable {
       OutputFolders folders,
       int withWorld)
       throws IOException {
+    this(installation, sandbox, coverage, folders, withWorld, Map.of());
+  }
+
+  /**
+   * Creates the folder and starts the first simulation.
+   *
+   * @param withWorld number of builds that need a simulation
+   * @param devices addresses of the providers of real devices; they replace those of the activity
+   */
+  public LocalBuilds(
+      Installation installation,
+      Sandbox sandbox,
+      boolean coverage,
+      OutputFolders folders,
+      int withWorld,
+      Map<String, String> devices)
+      throws IOException {
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
@@ -85,7 +102,7 @@ public final class LocalBuilds implements AutoCloseable {
                 coverage,
                 "")
             // The user of this machine runs an activity of his own choice.
-            .offering(new OfferedDevices(Map.of(), true));
+            .offering(new OfferedDevices(devices, true));
     this.folders = folders;
   }
 

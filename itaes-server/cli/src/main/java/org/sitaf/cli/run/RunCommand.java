@@ -107,6 +107,8 @@ public final class RunCommand implements Callable<Integer> {
 
   @Mixin private final RemoteOptions remote = new RemoteOptions();
 
+  @Mixin private final DeviceOptions devices = new DeviceOptions();
+
   @Option(names = "--table", description = "Prints all cases, not only those that did not pass.")
   private boolean table;
 
@@ -116,6 +118,7 @@ public final class RunCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     requireWritable();
     remote.check(spec);
+    devices.check(spec, remote.isRemote());
     debugging.check(spec, remote.isRemote(), cases.areRepeated(), sandbox.isRequired());
     if (remote.isRemote() && generation.changesModel()) {
       throw new CommandLine.ParameterException(
@@ -205,7 +208,8 @@ public final class RunCommand implements Callable<Integer> {
             sandbox.open(),
             !noCoverage,
             new LocalBuilds.OutputFolders(recording, signals, models.size() > 1),
-            withWorld)) {
+            withWorld,
+            devices.addresses(spec, activity))) {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       RepeatedBuilds repeated = new RepeatedBuilds(builds, cases, err);

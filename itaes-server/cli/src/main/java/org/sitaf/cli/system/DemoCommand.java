@@ -45,7 +45,8 @@ public final class DemoCommand implements Callable<Integer> {
     Path directory = Files.createTempDirectory("sitaf-demo-");
     try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt)) {
       try (ProgressLine progress = new ProgressLine(System.err);
-          LocalSystem system = LocalSystem.start(installation, directory, 0, 0, progress)) {
+          LocalSystem system =
+              LocalSystem.start(installation, directory, 0, 0, Map.of(), progress)) {
         int exitCode = evaluate(installation, system, progress, out);
         if (keep) {
           SignInLinks.printAndKeep(system, out);

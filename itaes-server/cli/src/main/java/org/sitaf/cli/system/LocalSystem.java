@@ -50,10 +50,16 @@ final class LocalSystem implements AutoCloseable {
    * @param directory data of server and agent, including logs
    * @param httpPort 0 for any free port
    * @param grpcPort 0 for any free port
+   * @param devices addresses of the providers of real devices that builds may use, by device
    * @throws IOException if one of them does not start; the message contains the end of its log
    */
   static LocalSystem start(
-      Installation installation, Path directory, int httpPort, int grpcPort, ProgressLine progress)
+      Installation installation,
+      Path directory,
+      int httpPort,
+      int grpcPort,
+      Map<String, String> devices,
+      ProgressLine progress)
       throws IOException, InterruptedException {
     createPrivate(directory);
     requireFree(httpPort, "--port");
@@ -88,6 +94,7 @@ final class LocalSystem implements AutoCloseable {
               "--directory",
               directory.resolve("agent").toString(),
               "--stop-with-stdin"));
+      devices.forEach((device, at) -> agentCommand.addAll(List.of("--device", device + "=" + at)));
       StartedProcess agent =
           new StartedProcess(
               "agent",

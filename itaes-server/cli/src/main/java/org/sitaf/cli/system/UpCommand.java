@@ -3,6 +3,8 @@ package org.sitaf.cli.system;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -41,6 +43,14 @@ public final class UpCommand implements Callable<Integer> {
       description = "Data folder (default: .sitaf/data).")
   private @Nullable Path data;
 
+  @Option(
+      names = "--device",
+      paramLabel = "NAME=ADDRESS",
+      description =
+          "Real device that builds may use: its name in their worlds, and the address of its"
+              + " provider, unix:/PATH or HOST:PORT. Repeatable.")
+  private Map<String, String> devices = new LinkedHashMap<>();
+
   @Override
   public Integer call() throws IOException, InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
@@ -48,7 +58,8 @@ public final class UpCommand implements Callable<Integer> {
     Path directory = data == null ? installation.state().resolve("data") : data.toAbsolutePath();
     try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt);
         ProgressLine progress = new ProgressLine(System.err);
-        LocalSystem system = LocalSystem.start(installation, directory, port, grpcPort, progress)) {
+        LocalSystem system =
+            LocalSystem.start(installation, directory, port, grpcPort, devices, progress)) {
       progress.close();
       SignInLinks.printAndKeep(system, out);
       return system.await();

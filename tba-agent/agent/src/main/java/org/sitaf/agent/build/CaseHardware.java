@@ -74,9 +74,13 @@ final class CaseHardware {
                           "activity.yaml: hardware."
                               + backend.device()
                               + (offered.others()
-                                  ? ": has no address; add the address of its provider"
-                                  : ": this agent offers no real devices; run the activity with"
-                                      + " ./sitaf run where the devices are"))));
+                                  ? ": has no address; add the address of its provider, or use"
+                                      + " --device "
+                                      + backend.device()
+                                      + "=ADDRESS"
+                                  : ": this agent does not offer the device; start it with --device "
+                                      + backend.device()
+                                      + "=ADDRESS"))));
     }
     try {
       List<String> served =

@@ -3,11 +3,13 @@ package org.sitaf.agent.manager;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.core.activity.hardware.DeviceBackend;
 
 /**
  * All settings of an agent.
@@ -23,6 +25,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
  * @param sandbox whether components and tools run in a sandbox
  * @param coverage whether builds measure line coverage
  * @param labels labels that builds can require, such as {@code real-hardware}
+ * @param devices addresses of the providers of real devices that builds may use, by device
  * @param minFreeBytes free disk space below which no build is accepted
  * @param longestBuild time limit for the cases of a build
  */
@@ -38,11 +41,14 @@ public record AgentSettings(
     SandboxMode sandbox,
     boolean coverage,
     Set<String> labels,
+    Map<String, String> devices,
     long minFreeBytes,
     Duration longestBuild) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final Pattern LABEL = Pattern.compile("[A-Za-z0-9._-]{1,50}");
+  private static final Pattern DEVICE = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,127}");
   private static final int MAX_LABELS = 20;
+  private static final int MAX_DEVICES = 100;
   private static final int MAX_SLOTS = 256;
   private static final Duration MAX_BUILD_TIME = Duration.ofDays(30);
 
@@ -64,6 +70,25 @@ public record AgentSettings(
     require(
         labels.size() <= MAX_LABELS && labels.stream().allMatch(l -> LABEL.matcher(l).matches()),
         "--label: at most 20, each 1 to 50 letters, digits, '.', '_', '-'");
+    devices = Map.copyOf(devices);
+    require(
+        devices.isEmpty() || bridge == null,
+        "--device needs a simulation for each build; use --bridge-command instead of --bridge");
+    require(
+        devices.size() <= MAX_DEVICES
+            && devices.keySet().stream().allMatch(d -> DEVICE.matcher(d).matches()),
+        "--device: at most "
+            + MAX_DEVICES
+            + ", each with the name of a device in a world, such as ir1=unix:/run/ir1.sock");
+    devices.forEach(
+        (device, address) ->
+            require(
+                DeviceBackend.isAddress(address),
+                "--device "
+                    + device
+                    + "="
+                    + address
+                    + ": the address must be unix:/PATH (at most 107 characters) or HOST:PORT"));
     require(
         longestBuild.toMinutes() >= 1 && longestBuild.compareTo(MAX_BUILD_TIME) <= 0,
         "--longest-build-min: expected 1 to " + MAX_BUILD_TIME.toMinutes());

@@ -81,6 +81,11 @@ final class AttemptRun {
     return attempt;
   }
 
+  /** Whether the build uses real devices. */
+  boolean usesDevices() {
+    return assignment.getDevicesCount() > 0;
+  }
+
   /** Folder of recordings and signals that were not uploaded yet; may not exist. */
   Path recordings() {
     return directory.resolve("recordings");

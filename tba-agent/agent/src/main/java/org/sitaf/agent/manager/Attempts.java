@@ -116,6 +116,24 @@ final class Attempts {
     }
   }
 
+  /**
+   * Stops the attempts that use real devices: a server may have assigned their builds again, and
+   * cannot cancel them any more.
+   */
+  void stopWithDevices() {
+    List<AttemptRun> stopped;
+    synchronized (this) {
+      stopped = running.values().stream().filter(AttemptRun::usesDevices).toList();
+    }
+    stopped.forEach(
+        run -> {
+          LOGGER.log(
+              System.Logger.Level.WARNING,
+              run.attempt() + ": stopped, because it uses real devices and its lease was lost");
+          run.stopForAgent();
+        });
+  }
+
   /** The attempts to report to the server. */
   List<AttemptRef> refs() {
     List<AttemptRef> refs = new ArrayList<>(upload.pending());

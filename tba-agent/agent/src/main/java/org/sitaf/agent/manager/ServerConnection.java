@@ -55,6 +55,9 @@ final class ServerConnection implements AutoCloseable {
     /** The server has registered the agent. */
     void registered(Registered registered);
 
+    /** The agent has had no connection to a server for the duration of a lease. */
+    void leaseLost();
+
     /** An assignment or a cancellation. */
     void message(ServerMessage message);
   }
@@ -83,6 +86,7 @@ final class ServerConnection implements AutoCloseable {
     Backoff backoff = new Backoff();
     backoff.atMost(DEFAULT_LEASE.dividedBy(CONNECTS_PER_LEASE));
     String lastComplaint = "";
+    long leaseEnd = Long.MAX_VALUE;
     try {
       while (closing.getCount() > 0) {
         // Use our own backoff; the channel's would grow to minutes.
@@ -97,9 +101,14 @@ final class ServerConnection implements AutoCloseable {
         }
         Duration lease = stream.lease;
         if (lease != null) {
+          leaseEnd = System.nanoTime() + lease.toNanos();
           backoff.atMost(lease.dividedBy(CONNECTS_PER_LEASE));
           backoff.reset();
           lastComplaint = "";
+        }
+        if (leaseEnd != Long.MAX_VALUE && System.nanoTime() - leaseEnd > 0) {
+          leaseEnd = Long.MAX_VALUE;
+          listener.leaseLost();
         }
         if (closing.getCount() > 0) {
           String problem = "no connection to the server: " + ServerCalls.describe(status);

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.function.Consumer;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.build.OfferedDevices;
 import org.sitaf.agent.sandbox.DiskLimits;
 import org.sitaf.agent.sandbox.ProcessGroup;
 import org.sitaf.agent.sandbox.Sandbox;
@@ -84,7 +85,8 @@ public final class TestBuildAgent implements AutoCloseable {
                 sandbox,
                 settings.coverage(),
                 settings.name() + " " + settings.version())
-            .within(settings.longestBuild());
+            .within(settings.longestBuild())
+            .offering(new OfferedDevices(settings.devices(), false));
     this.disk = new FreeSpace(directory.path(), settings.minFreeBytes());
     this.trash = directory.trash();
     this.attempts =
@@ -145,6 +147,7 @@ public final class TestBuildAgent implements AutoCloseable {
             .setVersion(settings.version())
             .setSlots(settings.slots())
             .addAllLabels(settings.labels())
+            .addAllDevices(settings.devices().keySet())
             .setSimulation(settings.bridge() != null || !settings.bridgeCommand().isEmpty())
             .setRefuses(disk.whyFull())
             .setAnalyses(true)
@@ -168,6 +171,11 @@ public final class TestBuildAgent implements AutoCloseable {
     public void registered(Registered registered) {
       upload.wake();
       onRegistered.accept(registered.getServerVersion());
+    }
+
+    @Override
+    public void leaseLost() {
+      attempts.stopWithDevices();
     }
 
     @Override

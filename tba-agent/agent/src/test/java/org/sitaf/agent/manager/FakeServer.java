@@ -124,9 +124,13 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
         .build();
   }
 
-  synchronized void assign(AttemptRef attempt, FileTree application) {
+  synchronized void assign(AttemptRef attempt, FileTree application, String... devices) {
     Assignment.Builder assignment =
-        Assignment.newBuilder().setAttempt(attempt).setActivity("echo").setModel("Echo");
+        Assignment.newBuilder()
+            .setAttempt(attempt)
+            .setActivity("echo")
+            .setModel("Echo")
+            .addAllDevices(List.of(devices));
     for (String path : application.paths()) {
       byte[] content = application.content(path).orElseThrow();
       String digest = Sha256.sha256(content);

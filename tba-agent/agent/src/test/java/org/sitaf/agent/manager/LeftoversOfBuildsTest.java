@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -45,6 +46,7 @@ class LeftoversOfBuildsTest {
             SandboxMode.AUTO,
             true,
             Set.of(),
+            Map.of(),
             0,
             Duration.ofHours(1));
     agent = new TestBuildAgent(settings, EchoActivity.toolchains(), version -> {});

@@ -11,7 +11,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
@@ -39,6 +45,9 @@ class TestBuildAgentTest {
       EchoActivity.withBody("if (value == 2) Thread.sleep(60000); return value;")
           .caseWallSeconds(90);
 
+  /** A field, because a logger without a reference can be collected with its handlers. */
+  private static final Logger AGENT_LOG = Logger.getLogger("org.sitaf.agent");
+
   @TempDir private Path directory;
   private FakeServer server;
   private TestBuildAgent agent;
@@ -62,6 +71,7 @@ class TestBuildAgentTest {
             SandboxMode.AUTO,
             true,
             Set.of(),
+            Map.of("ir1", "unix:/run/ir1.sock"),
             0,
             Duration.ofHours(1));
     agent = new TestBuildAgent(settings, EchoActivity.toolchains(), version -> {});
@@ -321,6 +331,56 @@ class TestBuildAgentTest {
     assertThat(submitted.hasResultDescriptor()).isTrue();
     assertThat(server.log("b-1")).contains("1\n2\n3\n4\n5\n");
     server.await(s -> !s.registrations().isEmpty());
+  }
+
+  @Test
+  void stopsABuildWithRealDevicesWhenItsLeaseIsLost() throws Exception {
+    startBoth();
+    server.await(s -> !s.registrations().isEmpty());
+    server.assign(ATTEMPT, SLEEPING.application().files(), "ir1");
+    server.await(s -> !s.cases().isEmpty());
+    CountDownLatch stopped = new CountDownLatch(1);
+    Handler log = onLogged("its lease was lost", stopped);
+    AGENT_LOG.addHandler(log);
+    try {
+      String address = server.address();
+      server.close();
+      assertThat(stopped.await(60, TimeUnit.SECONDS)).isTrue();
+      server = FakeServer.startAt(address);
+    } finally {
+      AGENT_LOG.removeHandler(log);
+    }
+
+    server.await(
+        s ->
+            !s.heartbeats().isEmpty()
+                && s.heartbeats().get(s.heartbeats().size() - 1).getRunningCount() == 0);
+    var failure = theResult().getFailure();
+    assertThat(failure.getCategory()).isEqualTo(Category.INFRASTRUCTURE);
+  }
+
+  private static Handler onLogged(String words, CountDownLatch latch) {
+    return new Handler() {
+      @Override
+      public void publish(LogRecord entry) {
+        if (entry.getMessage().contains(words)) {
+          latch.countDown();
+        }
+      }
+
+      @Override
+      public void flush() {}
+
+      @Override
+      public void close() {}
+    };
+  }
+
+  @Test
+  void offersTheDevicesOfItsSettings() throws Exception {
+    startBoth();
+    server.await(s -> !s.registrations().isEmpty());
+    assertThat(server.registrations().get(0).getDevicesList()).containsExactly("ir1");
   }
 
   @Test

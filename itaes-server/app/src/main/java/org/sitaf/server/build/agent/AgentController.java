@@ -61,6 +61,7 @@ class AgentController {
       List<ToolchainView> toolchains,
       @Schema(description = "whether it can run simulations") boolean simulation,
       Set<String> labels,
+      @Schema(description = "names of the real devices that builds may use") Set<String> devices,
       @Schema(description = "why it accepts no builds, such as a full disk")
           @Nullable String refuses,
       Instant lastSeen) {}
@@ -111,6 +112,7 @@ class AgentController {
             .toList(),
         agent.offers().simulation(),
         new TreeSet<>(agent.offers().labels()),
+        new TreeSet<>(agent.offers().devices()),
         refuses.isEmpty() ? null : refuses,
         session.map(AgentSession::lastHeartbeat).orElse(agent.lastSeen()));
   }

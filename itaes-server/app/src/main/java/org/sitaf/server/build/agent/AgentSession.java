@@ -4,20 +4,26 @@ import io.grpc.StatusRuntimeException;
 import io.grpc.stub.StreamObserver;
 import java.time.Instant;
 import java.util.Collection;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.HashSet;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.request.Capabilities;
 
-/** The stream of a connected agent, and the slots that its attempts occupy. */
+/** The stream of a connected agent, and the slots and real devices that its attempts occupy. */
 final class AgentSession {
   private final String name;
   private final int slots;
   private final Capabilities offers;
   private final StreamObserver<ServerMessage> stream;
-  private final Set<Long> occupied = new HashSet<>();
+
+  /** The real devices of attempts, by token. */
+  private final Map<Long, Set<String>> occupied = new HashMap<>();
+
   private final Set<Long> stopped = new HashSet<>();
   private Instant lastHeartbeat;
   private boolean open = true;
@@ -27,21 +33,21 @@ final class AgentSession {
   /**
    * Creates a session.
    *
-   * @param running attempts that the agent is executing already
+   * @param running attempts that the agent is executing already, with their real devices
    */
   AgentSession(
       String name,
       int slots,
       Capabilities offers,
       StreamObserver<ServerMessage> stream,
-      Collection<AttemptKey> running,
+      Map<Long, Set<String>> running,
       Instant now) {
     this.name = name;
     this.slots = slots;
     this.offers = offers;
     this.stream = stream;
     this.lastHeartbeat = now;
-    running.forEach(key -> occupied.add(key.token()));
+    occupied.putAll(running);
   }
 
   String name() {
@@ -64,6 +70,11 @@ final class AgentSession {
     return hasFreeSlot() ? slots - occupied.size() : 0;
   }
 
+  /** Whether no attempt uses one of the real devices. */
+  synchronized boolean hasFree(Set<String> devices) {
+    return occupied.values().stream().allMatch(used -> Collections.disjoint(used, devices));
+  }
+
   /** Why the agent accepts no builds; empty if it does. */
   synchronized String refuses() {
     return refuses;
@@ -78,13 +89,13 @@ final class AgentSession {
    * server.
    */
   synchronized Set<Long> unreported(Collection<AttemptKey> running) {
-    Set<Long> unreported = new HashSet<>(occupied);
+    Set<Long> unreported = new HashSet<>(occupied.keySet());
     running.forEach(key -> unreported.remove(key.token()));
     return unreported;
   }
 
   synchronized void release(Collection<Long> tokens) {
-    occupied.removeAll(tokens);
+    occupied.keySet().removeAll(tokens);
     stopped.removeAll(tokens);
   }
 
@@ -103,7 +114,7 @@ final class AgentSession {
     lastHeartbeat = now;
     Set<Long> ended = new HashSet<>(stopped);
     running.forEach(key -> ended.remove(key.token()));
-    occupied.removeAll(ended);
+    occupied.keySet().removeAll(ended);
     stopped.removeAll(ended);
   }
 
@@ -111,7 +122,7 @@ final class AgentSession {
    * Marks an attempt that the server ended; its slot is occupied until the agent has stopped it.
    */
   synchronized void stopped(AttemptKey attempt) {
-    if (occupied.contains(attempt.token())) {
+    if (occupied.containsKey(attempt.token())) {
       stopped.add(attempt.token());
     }
   }
@@ -122,8 +133,8 @@ final class AgentSession {
     stopped.remove(attempt.token());
   }
 
-  synchronized void occupy(AttemptKey attempt) {
-    occupied.add(attempt.token());
+  synchronized void occupy(AttemptKey attempt, Set<String> devices) {
+    occupied.put(attempt.token(), Set.copyOf(devices));
   }
 
   /** Sends the first message, after which builds can be assigned to the agent. */

@@ -71,7 +71,7 @@ final class AgentStream implements StreamObserver<AgentMessage> {
             register.getSlots(),
             Messages.toCapabilities(register),
             responses,
-            running,
+            agents.devices(running),
             clock.instant());
     created.setRefuses(register.getRefuses());
     if (!agents.add(created, register)) {

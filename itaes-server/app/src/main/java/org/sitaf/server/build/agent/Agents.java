@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Collectors;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.ServerMessage;
@@ -109,6 +110,15 @@ class Agents {
                   .findById(session.name())
                   .ifPresent(a -> a.disconnect(session.lastHeartbeat())));
     }
+  }
+
+  /** The attempts by token, with the real devices that they use. */
+  Map<Long, Set<String>> devices(Collection<AttemptKey> running) {
+    Map<Long, Set<String>> known = running.isEmpty() ? Map.of() : leases.devices(running);
+    return running.stream()
+        .map(AttemptKey::token)
+        .distinct()
+        .collect(Collectors.toMap(token -> token, token -> known.getOrDefault(token, Set.of())));
   }
 
   /** Abandons the attempts that a new session does not report, without waiting for their leases. */

@@ -100,7 +100,7 @@ class Dispatcher implements SmartLifecycle {
           free.isEmpty()
               ? List.of()
               : queue.requirements().stream()
-                  .filter(r -> free.stream().anyMatch(a -> r.areMetBy(a.offers())))
+                  .filter(r -> free.stream().anyMatch(a -> canRun(a, r)))
                   .toList();
       if (!met.isEmpty()) {
         int slots = free.stream().mapToInt(AgentSession::freeSlots).sum();
@@ -139,14 +139,23 @@ class Dispatcher implements SmartLifecycle {
       waiting.remove(next);
       Optional<AgentSession> agent =
           free.stream()
-              .filter(a -> a.hasFreeSlot() && next.requirements().areMetBy(a.offers()))
+              .filter(a -> a.hasFreeSlot() && canRun(a, next.requirements()))
               .min(Comparator.comparingInt(AgentSession::busy));
       if (agent.isPresent() && assign(next.id(), agent.get())) {
         active.merge(next.activityId(), 1, Integer::sum);
       } else if (agent.isEmpty()) {
         waiting.removeIf(w -> w.requirements().equals(next.requirements()));
+        // Those that wait for a real device may have kept others out of the list.
+        if (!next.requirements().devices().isEmpty()
+            && free.stream().anyMatch(AgentSession::hasFreeSlot)) {
+          wake();
+        }
       }
     }
+  }
+
+  private static boolean canRun(AgentSession agent, Requirements requirements) {
+    return requirements.areMetBy(agent.offers()) && agent.hasFree(requirements.devices());
   }
 
   private boolean assign(String buildId, AgentSession agent) {
@@ -156,7 +165,7 @@ class Dispatcher implements SmartLifecycle {
   }
 
   private void send(AgentSession agent, Leases.Assignment assignment) {
-    agent.occupy(assignment.key());
+    agent.occupy(assignment.key(), assignment.devices());
     boolean sent =
         agent.send(
             ServerMessage.newBuilder().setAssignment(Messages.toAssignment(assignment)).build());

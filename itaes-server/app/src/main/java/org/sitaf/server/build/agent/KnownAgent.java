@@ -36,6 +36,7 @@ class KnownAgent {
   private List<Toolchain> toolchains = new ArrayList<>();
 
   private String labels;
+  private String devices;
   private boolean simulation;
   private boolean analyses;
 
@@ -63,6 +64,7 @@ class KnownAgent {
     name = "";
     version = "";
     labels = "";
+    devices = "";
     refuses = "";
     lastSeen = Instant.EPOCH;
   }
@@ -80,6 +82,7 @@ class KnownAgent {
     toolchains.clear();
     offers.toolchains().forEach(t -> toolchains.add(new Toolchain(t.language(), t.version())));
     labels = String.join(",", new TreeSet<>(offers.labels()));
+    devices = String.join(",", new TreeSet<>(offers.devices()));
     simulation = offers.simulation();
     analyses = offers.analyses();
     refuses = newRefuses;
@@ -116,7 +119,12 @@ class KnownAgent {
             .toList(),
         simulation,
         analyses,
-        labels.isEmpty() ? Set.of() : Set.of(labels.split(",")));
+        words(labels),
+        words(devices));
+  }
+
+  private static Set<String> words(String list) {
+    return list.isEmpty() ? Set.of() : Set.of(list.split(","));
   }
 
   String name() {

@@ -33,6 +33,8 @@ import org.sitaf.server.error.RequestException;
 final class Messages {
   private static final Pattern AGENT_NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final Pattern LANGUAGE = Pattern.compile("[a-z]{1,20}");
+  private static final Pattern DEVICE = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,127}");
+  private static final int MAX_DEVICES = 100;
   private static final int MAX_SLOTS = 1000;
   private static final int MAX_TOOLCHAINS = 50;
   private static final int MAX_REASON = 500;
@@ -67,6 +69,7 @@ final class Messages {
             .setActivity(assignment.activity())
             .setModel(assignment.model())
             .setRecordings(toOrder(assignment))
+            .addAllDevices(assignment.devices())
             .setSignals(
                 SignalLimits.newBuilder()
                     .setMaxCases(StoredSignals.MAX_CASES)
@@ -202,7 +205,8 @@ final class Messages {
             .toList(),
         register.getSimulation(),
         register.getAnalyses(),
-        Set.copyOf(register.getLabelsList()));
+        Set.copyOf(register.getLabelsList()),
+        Set.copyOf(register.getDevicesList()));
   }
 
   static String toReason(String text) {
@@ -211,6 +215,13 @@ final class Messages {
 
   static void verify(Register register) {
     AgentConstraints.requireLabels(Set.copyOf(register.getLabelsList()));
+    if (register.getDevicesCount() > MAX_DEVICES
+        || register.getDevicesList().stream().anyMatch(d -> !DEVICE.matcher(d).matches())) {
+      throw RequestException.malformed(
+          "devices: must be at most "
+              + MAX_DEVICES
+              + ", each a name of at most 128 letters, digits and '_'.");
+    }
     if (register.getRefuses().length() > MAX_REASON) {
       throw RequestException.malformed("refuses: must be at most " + MAX_REASON + " characters.");
     }

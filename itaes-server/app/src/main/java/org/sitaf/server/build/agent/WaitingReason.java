@@ -4,6 +4,8 @@ import java.time.Clock;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.agent.KnownAgent.Standing;
 import org.sitaf.server.build.request.Requirements;
@@ -59,10 +61,18 @@ public class WaitingReason {
     if (reasons.stream().noneMatch(String::isEmpty)) {
       return agentsAre(active.size(), "not accepting builds: " + reasons.get(0)) + others;
     }
-    boolean free =
+    List<AgentSession> free =
         active.stream()
-            .anyMatch(a -> agents.session(a.name()).map(AgentSession::hasFreeSlot).orElse(false));
-    return free
+            .flatMap(a -> agents.session(a.name()).stream())
+            .filter(AgentSession::hasFreeSlot)
+            .toList();
+    Set<String> devices = requirements.devices();
+    if (!free.isEmpty() && free.stream().noneMatch(a -> a.hasFree(devices))) {
+      return "another build uses "
+          + (devices.size() == 1 ? "the device " : "one of the devices ")
+          + String.join(", ", new TreeSet<>(devices));
+    }
+    return !free.isEmpty()
         ? "it is about to be assigned to an agent"
         : agentsAre(active.size(), "busy with other builds") + others;
   }

@@ -9,12 +9,18 @@ import java.util.Set;
  * @param simulation whether it can run simulations
  * @param analyses whether it accepts analyses of builds
  * @param labels set by its operator, such as {@code real-hardware}
+ * @param devices names of the real devices that its builds may use
  */
 public record Capabilities(
-    List<Toolchain> toolchains, boolean simulation, boolean analyses, Set<String> labels) {
+    List<Toolchain> toolchains,
+    boolean simulation,
+    boolean analyses,
+    Set<String> labels,
+    Set<String> devices) {
   public Capabilities {
     toolchains = List.copyOf(toolchains);
     labels = Set.copyOf(labels);
+    devices = Set.copyOf(devices);
   }
 
   /**

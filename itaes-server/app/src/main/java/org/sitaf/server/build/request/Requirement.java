@@ -61,6 +61,19 @@ public sealed interface Requirement {
     }
   }
 
+  /** A real device, which the build has alone. */
+  record Device(String name) implements Requirement {
+    @Override
+    public boolean isMetBy(Capabilities agent) {
+      return agent.devices().contains(name);
+    }
+
+    @Override
+    public String words() {
+      return "the device " + name;
+    }
+  }
+
   /** A label of the agent. */
   record Label(String name) implements Requirement {
     @Override

@@ -4,10 +4,14 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sitaf.core.activity.ActivityProfile;
+import org.sitaf.core.activity.hardware.DeviceBackend;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.server.build.request.Requirement.Device;
 import org.sitaf.server.build.request.Requirement.Label;
 import org.sitaf.server.build.request.Requirement.Language;
 import org.sitaf.server.build.request.Requirement.Simulation;
@@ -18,6 +22,7 @@ public record Requirements(List<Requirement> all) {
   private static final String LANGUAGE = "language ";
   private static final String VERSION = "version ";
   private static final String LABEL = "label ";
+  private static final String DEVICE = "device ";
   private static final String SIMULATION = "simulation";
   private static final String ANALYSES = "analyses";
   private static final String SEPARATOR = ", ";
@@ -38,6 +43,9 @@ public record Requirements(List<Requirement> all) {
     if (profile.world() != null) {
       requirements.add(new Simulation());
     }
+    profile.hardware().stream()
+        .filter(DeviceBackend::isReal)
+        .forEach(backend -> requirements.add(new Device(backend.device())));
     if (!constraints.toolchain().isEmpty()) {
       requirements.add(new Version(profile.component().language().id(), constraints.toolchain()));
     }
@@ -48,6 +56,14 @@ public record Requirements(List<Requirement> all) {
   /** These requirements and another one. */
   public Requirements with(Requirement further) {
     return new Requirements(Stream.concat(all.stream(), Stream.of(further)).toList());
+  }
+
+  /** Names of the real devices that the build uses. */
+  public Set<String> devices() {
+    return all.stream()
+        .filter(Device.class::isInstance)
+        .map(requirement -> ((Device) requirement).name())
+        .collect(Collectors.toUnmodifiableSet());
   }
 
   /** Parses the result of {@link #text()}. */
@@ -92,6 +108,9 @@ public record Requirements(List<Requirement> all) {
     if (requirement instanceof Label label) {
       return LABEL + label.name();
     }
+    if (requirement instanceof Device device) {
+      return DEVICE + device.name();
+    }
     return requirement instanceof Requirement.Analyses ? ANALYSES : SIMULATION;
   }
 
@@ -105,6 +124,9 @@ public record Requirements(List<Requirement> all) {
     }
     if (text.startsWith(LABEL)) {
       return new Label(text.substring(LABEL.length()));
+    }
+    if (text.startsWith(DEVICE)) {
+      return new Device(text.substring(DEVICE.length()));
     }
     if (text.equals(ANALYSES)) {
       return new Requirement.Analyses();

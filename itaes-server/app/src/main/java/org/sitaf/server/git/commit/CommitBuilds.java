@@ -22,6 +22,8 @@ import org.sitaf.server.activity.StoredActivities;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.BuildSource;
+import org.sitaf.server.build.request.RealDevices;
+import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.error.ComputationTimeoutException;
 import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFiles;
@@ -195,6 +197,8 @@ class CommitBuilds {
       GeneratedSuite generated = suites.generate(model);
       TestApplication application =
           InterfaceTestApplicationGenerator.generate(activity, model, generated.suite());
+      RealDevices.requireAllowed(
+          Requirements.of(application, BuildOptions.DEFAULT.agent()), BuildOptions.DEFAULT);
       SuiteOrigin origin =
           new SuiteOrigin(
               source.activityId(),

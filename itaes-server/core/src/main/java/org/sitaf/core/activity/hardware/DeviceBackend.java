@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,6 +36,10 @@ public record DeviceBackend(
   /** The age of readings that an entry allows if it does not say. */
   public static final double DEFAULT_MAX_AGE_S = 0.1;
 
+  /** A longer path cannot be a socket. */
+  private static final Pattern SOCKET = Pattern.compile("unix:/[^\\s\\x00]{1,106}");
+
+  private static final Pattern HOST = Pattern.compile("[A-Za-z0-9.-]{1,253}:[0-9]{1,5}");
   private static final String SHADOW_ERROR = ".shadow_error";
 
   public DeviceBackend {
@@ -49,6 +54,11 @@ public record DeviceBackend(
   /** Whether a real device is read. */
   public boolean isReal() {
     return kind != Kind.REPLAY;
+  }
+
+  /** Whether a text is the address of a provider. */
+  public static boolean isAddress(String text) {
+    return SOCKET.matcher(text).matches() || HOST.matcher(text).matches();
   }
 
   /** The signals that differences between real and simulated readings are: one per shadow. */

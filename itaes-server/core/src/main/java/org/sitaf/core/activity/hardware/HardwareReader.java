@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.activity.hardware.DeviceBackend.Kind;
@@ -39,10 +38,6 @@ public final class HardwareReader {
           "shadow", Set.of(ADDRESS, MAX_AGE, INDEPENDENT),
           "replay", Set.of(FILE, TOPIC, MAX_AGE, INDEPENDENT));
 
-  /** A longer path cannot be a socket. */
-  private static final Pattern SOCKET = Pattern.compile("unix:/[^\\s\\x00]{1,106}");
-
-  private static final Pattern HOST = Pattern.compile("[A-Za-z0-9.-]{1,253}:[0-9]{1,5}");
   private static final double MAX_AGE_LIMIT_S = 3600;
   private static final String CAMERA = "camera";
 
@@ -117,9 +112,7 @@ public final class HardwareReader {
 
   private static @Nullable String address(YamlMapping entry) {
     Optional<String> address = entry.text(ADDRESS);
-    if (address.isPresent()
-        && !SOCKET.matcher(address.get()).matches()
-        && !HOST.matcher(address.get()).matches()) {
+    if (address.isPresent() && !DeviceBackend.isAddress(address.get())) {
       entry.problem(
           ADDRESS,
           "'"
