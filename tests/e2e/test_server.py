@@ -94,19 +94,19 @@ def test_an_agent_tests_with_the_real_devices_that_it_offers(sitaf, server, acti
         re.sub(r"(?m)^(limits|name):.*\n", "", profile.read_text())
         + "name: ir-sensor-real\nhardware:\n" + "".join(lines) + "limits: {jitter_ms: 2000}\n"
     )
-    result = tmp_path / "result.xml"
+    results = tmp_path / "results"
     with running(lambda address: simulated("ir-sensor/world/ir.world.yaml", address)) as (_, address):
         server.provider.symlink_to(address.removeprefix("unix:"))
         # A heartbeat can be late on a busy machine, which makes a case DONT, but never FAIL or ERROR.
         for _ in range(3):
             run = sitaf(
-                "run", activity, "--server", server.address, "--result", result, env={"SITAF_TOKEN": server.token}
+                "run", activity, "--server", server.address, "--result", results, env={"SITAF_TOKEN": server.token}
             )
             assert "0 FAIL, 0 ERROR" in run.stdout, run.stdout + run.stderr
             if run.returncode == 0:
                 break
     assert "55 cases, 55 PASS" in run.stdout
-    cases = ElementTree.parse(result).getroot().findall(".//test_result")
+    cases = ElementTree.parse(results / "GetInfraredData.xml").getroot().findall(".//test_result")
     assert all(len(case.find("hardware").findall("device")) == 7 for case in cases)
     agents = answer(server, "/api/v1/agents")
     assert agents[0]["devices"] == [f"ir{n}" for n in range(1, 8)]

@@ -66,6 +66,32 @@ describe('a result', () => {
     expect(cells(first).slice(5, -1)).toEqual(['3', '–', '3', '5.0']);
   });
 
+  test('shows what was measured of real devices in a case', async () => {
+    const devices = {
+      devices: ['ir1: a real device', 'ir2: recorded readings'],
+      meanJitterMs: 0.25,
+      maxJitterMs: 12.5,
+      missedDeadlines: 1,
+      readings: 1200,
+      maxAgeMs: 31,
+      staleReadings: 2,
+      refusedCommands: 3,
+      safeStops: 1,
+      faults: ['ir1: a reading was too old'],
+    };
+    const cases = [resultCase(3, 'DONT', { devices })];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1?case=3');
+    const drawer = await screen.findByRole('dialog', { name: /^Case 3/ });
+    const facts = within(drawer);
+    expect(await facts.findByText('ir1: a real device, ir2: recorded readings')).toBeVisible();
+    expect(facts.getByText('12.5 ms at most, 250 µs on average, 1 missed deadline')).toBeVisible();
+    expect(facts.getByText('1,200, at most 31.0 ms old, 2 too old')).toBeVisible();
+    expect(facts.getByText('3 commands refused, 1 safe stop')).toBeVisible();
+    expect(facts.getByText('ir1: a reading was too old')).toBeVisible();
+  });
+
   test('names the tools and packages of the build', async () => {
     const cases = resultCases(['PASS']);
     server.cases.set('b1', cases);

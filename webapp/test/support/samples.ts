@@ -228,6 +228,7 @@ export const AGENT: Agent = {
   slots: 2,
   busy: 0,
   labels: [],
+  devices: [],
   simulation: true,
   standing: 'ACTIVE',
   toolchains: [{ language: 'java', version: '17' }],
