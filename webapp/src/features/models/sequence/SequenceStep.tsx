@@ -19,7 +19,7 @@ interface SequenceStepProps {
   onInterface: (name: string) => void;
 }
 
-/** Step 1 of a model of sequences: its states, calls and events, with the diagram beside them. */
+/** Step 1 of a model of sequences: its states, calls and events, with the diagram next to them. */
 export function SequenceStep(props: SequenceStepProps) {
   const { description, draft, sequence, isNew, preview, onChange, onInterface } = props;
   const problems = preview?.diagnostics ?? [];
@@ -77,7 +77,7 @@ export function SequenceStep(props: SequenceStepProps) {
         />
       </Group>
       {ofSequence.length > 0 && <Diagnostics items={ofSequence} />}
-      <div className={classes.beside}>
+      <div className={classes.withDiagram}>
         <Stack gap="lg">
           <StateTable sequence={sequence} onChange={change} />
           <StepTable

@@ -86,7 +86,7 @@ public final class Sitaf {
     if (failure instanceof InvalidInputException invalid) {
       print(invalid.diagnostics(), err);
     } else if (failure instanceof UncheckedIOException || failure instanceof java.io.IOException) {
-      err.println("sitaf: " + Printable.line(FileProblem.of(failure)));
+      err.println("sitaf: " + Printable.lines(FileProblem.of(failure), "  "));
     } else {
       throw failure;
     }

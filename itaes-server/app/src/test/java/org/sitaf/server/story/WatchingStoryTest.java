@@ -38,11 +38,7 @@ class WatchingStoryTest extends ServerTest {
 
   @AfterEach
   void cancelRemainingBuilds() {
-    for (JsonNode build : api.get("/api/v1/builds?size=500").json().get("items")) {
-      if (!build.has("finished")) {
-        api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "");
-      }
-    }
+    api.cancelBuilds();
   }
 
   @Test

@@ -134,6 +134,15 @@ public final class Api {
     return post("/api/v1/builds", "{\"suiteId\":\"" + suiteId + "\"}").expect(201).id();
   }
 
+  /** Cancels all builds that have not ended. */
+  public void cancelBuilds() {
+    for (JsonNode build : get("/api/v1/builds?size=500").json().get("items")) {
+      if (!build.has("finished")) {
+        post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "");
+      }
+    }
+  }
+
   /** Waits with long polling until the build matches the condition. */
   public JsonNode await(String buildId, Predicate<JsonNode> condition) {
     Instant deadline = Instant.now().plus(TIMEOUT);

@@ -24,6 +24,7 @@ import org.sitaf.cli.file.UserFiles;
 import org.sitaf.cli.option.ActivityArguments;
 import org.sitaf.cli.option.GenerationArguments;
 import org.sitaf.cli.option.SandboxOption;
+import org.sitaf.cli.system.DeviceOptions;
 import org.sitaf.cli.system.RemoteRun;
 import org.sitaf.cli.terminal.OnExit;
 import org.sitaf.cli.terminal.Printable;
@@ -118,7 +119,9 @@ public final class RunCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     requireWritable();
     remote.check(spec);
-    devices.check(spec, remote.isRemote());
+    if (remote.isRemote()) {
+      devices.requireNone(spec);
+    }
     debugging.check(spec, remote.isRemote(), cases.areRepeated(), sandbox.isRequired());
     if (remote.isRemote() && generation.changesModel()) {
       throw new CommandLine.ParameterException(

@@ -183,7 +183,7 @@ final class StartedProcess implements AutoCloseable {
     try {
       List<String> lines = Files.readAllLines(log);
       List<String> last = lines.subList(Math.max(0, lines.size() - LAST_LINES), lines.size());
-      return "; the end of " + log + ":\n  " + String.join("\n  ", last);
+      return "; the end of " + log + ":\n" + String.join("\n", last);
     } catch (IOException e) {
       return "; see " + log;
     }

@@ -3,8 +3,6 @@ package org.sitaf.cli.system;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -12,6 +10,7 @@ import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.terminal.OnExit;
 import org.sitaf.cli.terminal.ProgressLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -43,13 +42,7 @@ public final class UpCommand implements Callable<Integer> {
       description = "Data folder (default: .sitaf/data).")
   private @Nullable Path data;
 
-  @Option(
-      names = "--device",
-      paramLabel = "NAME=ADDRESS",
-      description =
-          "Real device that builds may use: its name in their worlds, and the address of its"
-              + " provider, unix:/PATH or HOST:PORT. Repeatable.")
-  private Map<String, String> devices = new LinkedHashMap<>();
+  @Mixin private final DeviceOptions devices = new DeviceOptions();
 
   @Override
   public Integer call() throws IOException, InterruptedException {
@@ -59,7 +52,8 @@ public final class UpCommand implements Callable<Integer> {
     try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt);
         ProgressLine progress = new ProgressLine(System.err);
         LocalSystem system =
-            LocalSystem.start(installation, directory, port, grpcPort, devices, progress)) {
+            LocalSystem.start(
+                installation, directory, port, grpcPort, devices.addresses(spec), progress)) {
       progress.close();
       SignInLinks.printAndKeep(system, out);
       return system.await();

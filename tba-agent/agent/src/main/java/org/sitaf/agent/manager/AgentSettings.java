@@ -46,7 +46,6 @@ public record AgentSettings(
     Duration longestBuild) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final Pattern LABEL = Pattern.compile("[A-Za-z0-9._-]{1,50}");
-  private static final Pattern DEVICE = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,127}");
   private static final int MAX_LABELS = 20;
   private static final int MAX_DEVICES = 100;
   private static final int MAX_SLOTS = 256;
@@ -75,8 +74,7 @@ public record AgentSettings(
         devices.isEmpty() || bridge == null,
         "--device needs a simulation for each build; use --bridge-command instead of --bridge");
     require(
-        devices.size() <= MAX_DEVICES
-            && devices.keySet().stream().allMatch(d -> DEVICE.matcher(d).matches()),
+        devices.size() <= MAX_DEVICES && devices.keySet().stream().allMatch(DeviceBackend::isName),
         "--device: at most "
             + MAX_DEVICES
             + ", each with the name of a device in a world, such as ir1=unix:/run/ir1.sock");
@@ -88,7 +86,8 @@ public record AgentSettings(
                     + device
                     + "="
                     + address
-                    + ": the address must be unix:/PATH (at most 107 characters) or HOST:PORT"));
+                    + ": the address must be "
+                    + DeviceBackend.ADDRESS_FORM));
     require(
         longestBuild.toMinutes() >= 1 && longestBuild.compareTo(MAX_BUILD_TIME) <= 0,
         "--longest-build-min: expected 1 to " + MAX_BUILD_TIME.toMinutes());

@@ -13,6 +13,7 @@ import org.sitaf.agent.v1.OutputValue;
 import org.sitaf.agent.v1.RecordingOrder;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.SignalLimits;
+import org.sitaf.core.activity.hardware.DeviceBackend;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Verdict;
@@ -33,7 +34,6 @@ import org.sitaf.server.error.RequestException;
 final class Messages {
   private static final Pattern AGENT_NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final Pattern LANGUAGE = Pattern.compile("[a-z]{1,20}");
-  private static final Pattern DEVICE = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,127}");
   private static final int MAX_DEVICES = 100;
   private static final int MAX_SLOTS = 1000;
   private static final int MAX_TOOLCHAINS = 50;
@@ -216,7 +216,7 @@ final class Messages {
   static void verify(Register register) {
     AgentConstraints.requireLabels(Set.copyOf(register.getLabelsList()));
     if (register.getDevicesCount() > MAX_DEVICES
-        || register.getDevicesList().stream().anyMatch(d -> !DEVICE.matcher(d).matches())) {
+        || register.getDevicesList().stream().anyMatch(d -> !DeviceBackend.isName(d))) {
       throw RequestException.malformed(
           "devices: must be at most "
               + MAX_DEVICES

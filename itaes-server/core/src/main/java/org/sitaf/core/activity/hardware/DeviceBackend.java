@@ -40,6 +40,13 @@ public record DeviceBackend(
   private static final Pattern SOCKET = Pattern.compile("unix:/[^\\s\\x00]{1,106}");
 
   private static final Pattern HOST = Pattern.compile("[A-Za-z0-9.-]{1,253}:[0-9]{1,5}");
+
+  /** A name in a world. */
+  private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,127}");
+
+  /** What an address must be, for messages. */
+  public static final String ADDRESS_FORM = "unix:/PATH (at most 107 characters) or HOST:PORT";
+
   private static final String SHADOW_ERROR = ".shadow_error";
 
   public DeviceBackend {
@@ -54,6 +61,11 @@ public record DeviceBackend(
   /** Whether a real device is read. */
   public boolean isReal() {
     return kind != Kind.REPLAY;
+  }
+
+  /** Whether a text can be the name of a device. */
+  public static boolean isName(String text) {
+    return NAME.matcher(text).matches();
   }
 
   /** Whether a text is the address of a provider. */

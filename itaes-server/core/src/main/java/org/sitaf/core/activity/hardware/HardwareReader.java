@@ -115,9 +115,7 @@ public final class HardwareReader {
     if (address.isPresent() && !DeviceBackend.isAddress(address.get())) {
       entry.problem(
           ADDRESS,
-          "'"
-              + address.get()
-              + "' is not an address; write unix:/PATH (at most 107 characters) or HOST:PORT");
+          "'" + address.get() + "' is not an address; write " + DeviceBackend.ADDRESS_FORM);
     }
     return address.orElse(null);
   }

@@ -1,4 +1,4 @@
-package org.sitaf.cli.run;
+package org.sitaf.cli.system;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,22 +10,27 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
-/** Where the providers of the real devices of an activity are. */
-final class DeviceOptions {
+/** Where the providers of real devices are. */
+public final class DeviceOptions {
   @Option(
       names = "--device",
       paramLabel = "NAME=ADDRESS",
       description =
-          "Address of the provider of a real device, unix:/PATH or HOST:PORT, instead of that in"
-              + " activity.yaml. Can be repeated.")
+          "Real device that tests may use: its name in their worlds, and the address of its"
+              + " provider, unix:/PATH or HOST:PORT. It replaces the address in activity.yaml."
+              + " Can be repeated.")
   private Map<String, String> devices = new LinkedHashMap<>();
 
-  /** Checks the combination of the options, and the addresses. */
-  void check(CommandSpec command, boolean isRemote) {
-    if (isRemote && !devices.isEmpty()) {
+  /** Rejects devices for tests on another machine, whose agents offer their own ones. */
+  public void requireNone(CommandSpec command) {
+    if (!devices.isEmpty()) {
       throw new ParameterException(
           command.commandLine(), "--device is not available with --server; start an agent with it");
     }
+  }
+
+  /** The addresses by device. */
+  Map<String, String> addresses(CommandSpec command) {
     devices.forEach(
         (device, address) -> {
           if (!DeviceBackend.isAddress(address)) {
@@ -35,13 +40,15 @@ final class DeviceOptions {
                     + device
                     + "="
                     + address
-                    + ": the address must be unix:/PATH (at most 107 characters) or HOST:PORT");
+                    + ": the address must be "
+                    + DeviceBackend.ADDRESS_FORM);
           }
         });
+    return devices;
   }
 
   /** The addresses by device; each must be a real device of the activity. */
-  Map<String, String> addresses(CommandSpec command, Activity activity) {
+  public Map<String, String> addresses(CommandSpec command, Activity activity) {
     List<String> real =
         activity.profile().hardware().stream()
             .filter(DeviceBackend::isReal)
@@ -57,6 +64,6 @@ final class DeviceOptions {
                 + NearestName.hint(device, real));
       }
     }
-    return devices;
+    return addresses(command);
   }
 }
