@@ -63,7 +63,7 @@ test('shows the case before it begins, while it runs, and after it', async () =>
   answers['motion.glb'] = () => new Response(null, { status: 304 });
   expect(await screen.findByText('The case has ended.')).toBeVisible();
   answers = {};
-  expect(await screen.findByText(/^The command has ended/, {}, { timeout: 5000 })).toBeVisible();
+  expect(await screen.findByText(/^The command has ended/)).toBeVisible();
   expect(screen.getByTestId('clock')).toBeVisible();
 });
 
@@ -71,7 +71,5 @@ test('says why the scene cannot be shown', async () => {
   answers['case.json'] = watched(false);
   answers['motion.glb'] = () => new Response(null, { status: 503 });
   open();
-  expect(
-    await screen.findByText('The command answers 503 to motion.glb.', {}, { timeout: 5000 }),
-  ).toBeVisible();
+  expect(await screen.findByText('The command answers 503 to motion.glb.')).toBeVisible();
 });

@@ -4,8 +4,8 @@ import { afterEach } from 'vitest';
 
 afterEach(cleanup);
 
-// For slow machines; a passing test does not wait this long.
-configure({ asyncUtilTimeout: 8_000 });
+// For slow machines: the first test of a file also loads its page. A passing test does not wait this long.
+configure({ asyncUtilTimeout: 30_000 });
 
 // Browser APIs that Mantine needs and jsdom does not have.
 if (typeof window !== 'undefined') {
