@@ -29,7 +29,7 @@ class ForgeStoryTest extends GitStory {
 
   /** The states of a commit when the forge has a final one. */
   private static List<String> states(FakeForge forge, String sha) throws InterruptedException {
-    Instant deadline = Instant.now().plus(Duration.ofSeconds(40));
+    Instant deadline = Instant.now().plus(Duration.ofSeconds(120));
     while (forge.of(sha).size() < 2) {
       if (Instant.now().isAfter(deadline)) {
         throw new AssertionError("no final status: " + forge.of(sha) + forge.problems());

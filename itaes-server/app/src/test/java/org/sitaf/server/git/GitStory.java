@@ -32,7 +32,7 @@ abstract class GitStory extends ServerTest {
   /** Numbers of the cases that fail; the fake agent reads it, like a component its data. */
   static final String DATA_FILE = FOLDER + "/data/failing.txt";
 
-  private static final Duration TIMEOUT = Duration.ofSeconds(40);
+  private static final Duration TIMEOUT = Duration.ofSeconds(120);
 
   TestRepository repository = TestRepository.create(REPOSITORIES.resolve("unused"));
   private ExecutorService agents = Executors.newSingleThreadExecutor();

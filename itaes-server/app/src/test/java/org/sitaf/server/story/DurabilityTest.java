@@ -114,7 +114,7 @@ class DurabilityTest {
     @Override
     public void close() throws IOException, InterruptedException {
       process.getOutputStream().close();
-      if (!process.waitFor(20, TimeUnit.SECONDS)) {
+      if (!process.waitFor(60, TimeUnit.SECONDS)) {
         process.destroyForcibly();
         throw new AssertionError("the server did not end with its standard input");
       }

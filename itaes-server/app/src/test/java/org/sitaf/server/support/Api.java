@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.function.Predicate;
+import org.awaitility.Awaitility;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -19,7 +20,13 @@ import tools.jackson.databind.json.JsonMapper;
 /** A client of the server's REST interface. */
 public final class Api {
   private static final JsonMapper JSON = JsonMapper.builder().build();
-  private static final Duration TIMEOUT = Duration.ofSeconds(60);
+
+  /** For slow machines; a passing test does not wait this long. */
+  private static final Duration TIMEOUT = Duration.ofSeconds(180);
+
+  static {
+    Awaitility.setDefaultTimeout(TIMEOUT);
+  }
 
   private final HttpClient client =
       HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();

@@ -59,7 +59,7 @@ import org.sitaf.server.file.StoredFiles;
 
 /** A fake agent, with which tests make single calls of the protocol over a real connection. */
 public final class FakeAgent implements AutoCloseable {
-  private static final int TIMEOUT_S = 30;
+  private static final int TIMEOUT_S = 120;
   private static final Metadata.Key<String> AUTHORIZATION =
       Metadata.Key.of("authorization", Metadata.ASCII_STRING_MARSHALLER);
 

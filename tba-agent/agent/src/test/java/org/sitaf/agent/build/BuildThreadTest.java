@@ -20,7 +20,7 @@ import org.sitaf.agent.spool.SystemTool;
 
 /** A cancelled build ends even if its thread is blocked. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class BuildThreadTest {
   @TempDir private Path directory;
   private final Cancellation cancellation = new Cancellation();

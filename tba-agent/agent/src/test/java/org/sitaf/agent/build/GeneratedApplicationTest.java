@@ -38,7 +38,7 @@ import org.sitaf.core.verdict.Verdict;
 
 /** Generated test applications with the real runtime and, if it is set up, the real simulation. */
 @Tag("slow")
-@Timeout(180)
+@Timeout(300)
 class GeneratedApplicationTest {
   @TempDir private Path directory;
   private final Recording recording = new Recording();

@@ -23,7 +23,7 @@ import org.sitaf.agent.spool.SystemTool;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Verdict;
 
-@Timeout(60)
+@Timeout(300)
 class RecordingsTest {
   @TempDir Path folder;
   private final List<Integer> recorded = Collections.synchronizedList(new ArrayList<>());

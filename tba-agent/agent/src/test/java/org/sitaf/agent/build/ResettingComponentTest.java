@@ -37,7 +37,7 @@ import org.sitaf.core.verdict.Verdict;
  * signals of the rest of the case show no contact.
  */
 @Tag("slow")
-@Timeout(180)
+@Timeout(300)
 class ResettingComponentTest {
   private static final String COMPONENT = "component/org/sitaf/examples/approach/WallApproach.java";
 

@@ -32,7 +32,7 @@ import org.sitaf.core.verdict.Verdict;
 
 /** A process that starts before its application is compiled. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class EarlyProcessTest {
   private static final String REMEMBER_PROCESS =
       "System.out.println(\"in \" + ProcessHandle.current().info().startInstant().get());";

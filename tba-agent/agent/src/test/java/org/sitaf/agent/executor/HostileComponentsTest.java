@@ -27,7 +27,7 @@ import org.sitaf.core.verdict.Verdict;
 
 /** A hostile component fails its own case only; the other cases have results. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class HostileComponentsTest {
   @TempDir Path directory;
   final Recording recording = new Recording();
@@ -226,7 +226,7 @@ class HostileComponentsTest {
     run.cancel("enough");
 
     assertThat(outcome.get(10, TimeUnit.SECONDS)).isEqualTo(new Cancelled("enough"));
-    assertThat(Duration.ofNanos(System.nanoTime() - cancelled)).isLessThan(Duration.ofSeconds(5));
+    assertThat(Duration.ofNanos(System.nanoTime() - cancelled)).isLessThan(Duration.ofSeconds(20));
     List<String> left =
         ProcessHandle.current()
             .descendants()

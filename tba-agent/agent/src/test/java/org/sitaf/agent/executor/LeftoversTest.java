@@ -25,7 +25,7 @@ import org.sitaf.core.verdict.Verdict;
 
 /** Files that a component leaves affect only the verdict of the case that exceeded a limit. */
 @Tag("slow")
-@Timeout(180)
+@Timeout(300)
 class LeftoversTest {
   /** The path of JaCoCo's record, which a component can find out, too. */
   private static final String COVERAGE =

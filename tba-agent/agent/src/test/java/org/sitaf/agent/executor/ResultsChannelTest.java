@@ -27,7 +27,7 @@ import org.sitaf.core.verdict.Verdict;
 
 /** Lines in the results channel and how they are handled. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class ResultsChannelTest {
   @TempDir private Path folder;
   private final List<String> remarks = new ArrayList<>();

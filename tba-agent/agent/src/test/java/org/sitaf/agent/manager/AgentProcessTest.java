@@ -21,7 +21,7 @@ import org.sitaf.agent.v1.AttemptRef;
 
 /** The agent as a separate process. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class AgentProcessTest {
   private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);
 
@@ -78,7 +78,7 @@ class AgentProcessTest {
         .isEqualTo("registered tester at " + server.address() + " (server test)");
     // Process.destroy would also close our end of its output.
     agent.toHandle().destroy();
-    assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    assertThat(agent.waitFor(60, TimeUnit.SECONDS)).isTrue();
     assertThat(output.readLine()).isNull();
   }
 
@@ -98,7 +98,7 @@ class AgentProcessTest {
     Folders.delete(classes);
 
     agent.toHandle().destroy();
-    assertThat(agent.waitFor(20, TimeUnit.SECONDS)).isTrue();
+    assertThat(agent.waitFor(60, TimeUnit.SECONDS)).isTrue();
   }
 
   @Test
@@ -106,7 +106,7 @@ class AgentProcessTest {
     start("--stop-with-stdin").readLine();
     agent.getOutputStream().close();
 
-    assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    assertThat(agent.waitFor(60, TimeUnit.SECONDS)).isTrue();
     assertThat(agent.exitValue()).isZero();
   }
 
@@ -124,7 +124,7 @@ class AgentProcessTest {
     BufferedReader output = start("--slots", "0");
 
     assertThat(output.readLine()).isNull();
-    assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    assertThat(agent.waitFor(60, TimeUnit.SECONDS)).isTrue();
     assertThat(agent.exitValue()).isEqualTo(2);
     assertThat(errors()).content().isEqualTo("sitaf agent: --slots 0: expected 1 to 256\n");
   }

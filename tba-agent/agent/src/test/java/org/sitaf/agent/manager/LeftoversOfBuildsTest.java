@@ -25,7 +25,7 @@ import org.sitaf.core.verdict.document.TestResultXml;
 
 /** An agent continues to run builds, whatever a build left. */
 @Tag("slow")
-@Timeout(180)
+@Timeout(300)
 class LeftoversOfBuildsTest {
   @TempDir private Path directory;
   private FakeServer server;

@@ -21,7 +21,7 @@ import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.core.trajectory.ConditionSpan;
 
 /** Upload of recordings from the agent's disk to the server. */
-@Timeout(60)
+@Timeout(300)
 class RecordingUploadTest {
   private static final Attempt ATTEMPT = Attempt.of(FakeServer.attempt("b-1", 1, 17));
 

@@ -18,7 +18,7 @@ import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.v1.SubmitResultRequest;
 
 /** Damaged entries of the spool do not delay other entries and do not renew leases. */
-@Timeout(60)
+@Timeout(300)
 class ResultUploadTest {
   private static final Attempt BROKEN = Attempt.of(FakeServer.attempt("b-1", 1, 17));
   private static final Attempt GOOD = Attempt.of(FakeServer.attempt("b-2", 1, 18));

@@ -36,7 +36,7 @@ import org.sitaf.core.verdict.document.TestResultXml;
 
 /** The complete agent with a fake server. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class TestBuildAgentTest {
   private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);
   private static final EchoActivity GOOD =

@@ -23,7 +23,7 @@ import org.sitaf.agent.sandbox.cgroup.ControlGroups;
 
 /** Each confined process has a control group, which is removed after its end. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class ControlGroupsTest {
   private static final ProcessLimits LIMITS = new ProcessLimits(256, 32, 64, Duration.ofMinutes(1));
 

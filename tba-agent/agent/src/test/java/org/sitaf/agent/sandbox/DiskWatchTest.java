@@ -16,7 +16,7 @@ import org.sitaf.agent.testing.OrdinaryUser;
 
 /** Kills processes that write more than allowed, whatever kind of files they write. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class DiskWatchTest {
   /** 16 MiB for each file, so 32 MiB for all files. */
   private static final ProcessLimits LIMITS = new ProcessLimits(256, 50, 16, Duration.ofMinutes(1));

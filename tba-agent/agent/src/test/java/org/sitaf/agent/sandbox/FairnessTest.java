@@ -25,7 +25,7 @@ import org.sitaf.agent.sandbox.cgroup.AutomaticGroups;
  * matter.
  */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class FairnessTest {
   private static final ProcessLimits LIMITS =
       new ProcessLimits(256, 600, 64, Duration.ofMinutes(5));

@@ -20,7 +20,7 @@ import org.sitaf.agent.sandbox.Escapes.End;
 
 /** A process with a limit of 512 MiB cannot get 3 GB by any way of allocating memory. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class MemoryLimitsTest {
   private static final ProcessLimits LIMITS =
       new ProcessLimits(512, 64, 256, Duration.ofMinutes(1));

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The sandbox works for an agent that an unprivileged user started. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class OrdinaryUserTest {
   /** The user id of {@code nobody} in Debian. */
   private static final int USER = 65534;

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Two agents of one host never use the same user id. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class SandboxUsersTest {
   /** Ids that no agent uses: claiming a range kills the processes of its users. */
   private static final int FIRST = 990_000;
@@ -88,7 +88,7 @@ class SandboxUsersTest {
       users.release(user);
 
       assertThat(users.acquire()).isEqualTo(user);
-      assertThat(left.waitFor(10, TimeUnit.SECONDS)).isTrue();
+      assertThat(left.waitFor(60, TimeUnit.SECONDS)).isTrue();
       assertThat(busy.isAlive()).isTrue();
     } finally {
       busy.destroyForcibly();

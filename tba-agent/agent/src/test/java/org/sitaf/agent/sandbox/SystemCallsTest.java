@@ -20,7 +20,7 @@ import org.sitaf.agent.sandbox.Escapes.End;
 
 /** The filter blocks system calls that help to escape and allows those that programs need. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class SystemCallsTest {
   private static final Set<String> NEEDED =
       Set.of(

@@ -41,7 +41,7 @@ import org.sitaf.sim.v1.SimulationControlGrpc;
  * results must equal those of cases that are prepared one by one.
  */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class PreparedAheadTest {
   private static final Duration SETTLE = Duration.ofMillis(25);
 

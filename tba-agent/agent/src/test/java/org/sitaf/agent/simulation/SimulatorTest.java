@@ -29,7 +29,7 @@ import org.sitaf.sim.v1.VirtualHardwareGrpc;
 import org.sitaf.sim.v1.WorldSource;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class SimulatorTest {
   private static final byte[] MJCF =
       "<mujoco><worldbody><geom name=\"floor\" type=\"plane\" size=\"1 1 1\"/></worldbody></mujoco>"

@@ -17,7 +17,7 @@ import org.sitaf.agent.testing.OddTrees;
 import org.sitaf.agent.testing.OrdinaryUser;
 
 /** An agent starts with an empty folder for builds, whatever the previous one left. */
-@Timeout(120)
+@Timeout(300)
 class AgentDirectoryTest {
   @TempDir private Path temporary;
 

@@ -12,7 +12,7 @@ import org.sitaf.agent.testing.OddTrees;
 import org.sitaf.agent.testing.OrdinaryUser;
 
 /** Deletes trees of any shape. */
-@Timeout(120)
+@Timeout(300)
 class FoldersTest {
   @TempDir private Path directory;
 

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.testing.OddTrees;
 
-@Timeout(60)
+@Timeout(300)
 class LeftFilesTest {
   @TempDir private Path directory;
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Control groups in a subtree that systemd delegated. */
-@Timeout(60)
+@Timeout(300)
 class VersionTwoTest {
   private static final GroupLimits LIMITS = new GroupLimits(512L << 20, 64);
 
@@ -127,7 +127,7 @@ class VersionTwoTest {
       assertThat(process.inputReader().readLine()).isEqualTo("in");
       group.remove();
 
-      assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
+      assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
       assertThat(created).doesNotExist();
     } finally {
       process.destroyForcibly();

@@ -12,7 +12,7 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.agent.toolchain.ToolchainLookup.Found;
 
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class StartedAheadTest {
   private static long compilers() {
     return ProcessHandle.current()
