@@ -132,3 +132,116 @@ def test_events_of_the_world_reach_the_devices_of_a_node(sitaf, tmp_path):
         for step in case.findall("step")
     ]
     assert {step.get("name") for step in steps} == {"Drive", "Wait", "Nears", "Leaves"}
+
+
+def test_a_call_sets_the_faults_of_devices_when_it_begins(sitaf, tmp_path):
+    copy = shutil.copytree(sitaf.root / "examples" / "wall-stop-ros", tmp_path / "copy")
+    profile = (copy / "activity.yaml").read_text()
+    (copy / "activity.yaml").write_text(
+        re.sub(r"(?m)^models: .*$", "models: [Steps.xml]", profile)
+    )
+    (copy / "Steps.xml").write_text(
+        """<test_model><name>Steps</name><target settle="0.2"/><input_spec_list/>
+        <sequence_spec length="4" order="2">
+          <call name="Drive" method="start" run_for="0.3">
+            <input_spec_list>
+              <test_element abstract_type="NUMERIC" real_type="double"><name>start.data</name>
+                <type>TDI</type><user_value_list><value>0.2</value></user_value_list></test_element>
+              <test_element abstract_type="NUMERIC" real_type="double"><name>fault.lidar.offset</name>
+                <type>TDSD</type><user_value_list><value>-5</value><value>0</value></user_value_list></test_element>
+            </input_spec_list>
+            <output_spec_list><test_element abstract_type="NUMERIC" real_type="double"><name>command.linear.x</name>
+              <type>OUT</type><expected>fault.lidar.offset &lt; 0.0 ? 0.0 : 0.2</expected></test_element></output_spec_list>
+          </call>
+          <call name="Again" method="start" run_for="0.3"/>
+        </sequence_spec>
+        <order_of_combinations>1</order_of_combinations></test_model>"""
+    )
+    run = sitaf("run", copy, "--result", tmp_path / "result")
+    assert run.returncode == 0, run.stdout + run.stderr
+    driven = {
+        (step.find("value[@name='fault.lidar.offset']").text, step.findtext("actual"))
+        for case in cases_of(tmp_path / "result", "Steps")
+        for step in case.findall("step")
+        if step.get("name") == "Drive"
+    }
+    assert {(float(offset), float(speed)) for offset, speed in driven} == {
+        (-5.0, 0.0),
+        (0.0, 0.2),
+    }
+
+
+ASKING = """\
+from rclpy.node import Node
+from std_msgs.msg import Bool, Float64
+from std_srvs.srv import Trigger
+
+
+class Asking(Node):
+    def __init__(self):
+        super().__init__("asking")
+        self._ready = self.create_client(Trigger, "/ready")
+        self._answer = self.create_publisher(Bool, "/answer", 1)
+        self.create_subscription(Float64, "/start", self._start, 1)
+
+    def _start(self, _):
+        self._ready.call_async(Trigger.Request()).add_done_callback(self._answered)
+
+    def _answered(self, future):
+        self._answer.publish(Bool(data=future.result().success))
+"""
+
+
+def test_a_call_replaces_the_answers_of_a_required_service(sitaf, tmp_path):
+    folder = tmp_path / "asking"
+    package = folder / "src" / "asking"
+    (package / "asking").mkdir(parents=True)
+    (package / "asking" / "__init__.py").touch()
+    (package / "asking" / "node.py").write_text(ASKING)
+    (package / "package.xml").write_text(
+        "<package format='3'><name>asking</name><version>1.0.0</version><description>asks</description>"
+        "<maintainer email='a@b.org'>a</maintainer><license>Apache-2.0</license>"
+        "<depend>rclpy</depend><depend>std_msgs</depend><depend>std_srvs</depend></package>"
+    )
+    (folder / "activity.yaml").write_text(
+        "name: asking\n"
+        "component:\n"
+        "  language: ros2-python\n"
+        "  sources: src/asking\n"
+        "  class: asking.node:Asking\n"
+        "topics:\n"
+        "  /start: {with: input.start, type: std_msgs/msg/Float64}\n"
+        "  /answer: {with: output.answer, type: std_msgs/msg/Bool}\n"
+        "required: [{type: std_srvs/srv/Trigger.srv, name: /ready}]\n"
+        "models: [Asking.xml]\n"
+    )
+    (folder / "Asking.xml").write_text(
+        """<test_model><name>Asking</name><target/><input_spec_list/>
+        <sequence_spec length="5" order="2">
+          <state name="ready" type="boolean" initial="false"/>
+          <call name="Start" method="start" run_for="0.1">
+            <update state="ready">std_srvs.Trigger.success</update>
+            <input_spec_list>
+              <test_element abstract_type="BOOLEAN" real_type="boolean"><name>std_srvs.Trigger.success</name>
+                <type>TDTS</type><user_value_list><value>true</value><value>false</value></user_value_list></test_element>
+            </input_spec_list>
+            <output_spec_list><test_element abstract_type="BOOLEAN" real_type="boolean"><name>answer.data</name>
+              <type>OUT</type><expected>std_srvs.Trigger.success</expected></test_element></output_spec_list>
+          </call>
+          <call name="StartAsBefore" method="start" run_for="0.1">
+            <output_spec_list><test_element abstract_type="BOOLEAN" real_type="boolean"><name>answer.data</name>
+              <type>OUT</type><expected>ready</expected></test_element></output_spec_list>
+          </call>
+        </sequence_spec>
+        <order_of_combinations>1</order_of_combinations></test_model>"""
+    )
+    run = sitaf("run", folder, "--result", tmp_path / "result")
+    assert run.returncode == 0, run.stdout + run.stderr
+    for name in ("Start", "StartAsBefore"):
+        answers = {
+            step.findtext("actual")
+            for case in cases_of(tmp_path / "result", "Asking")
+            for step in case.findall("step")
+            if step.get("name") == name
+        }
+        assert answers == {"true", "false"}

@@ -4,10 +4,12 @@ import json
 import re
 import shutil
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import pytest
 from needs import cpp
 
+PARTS = Path(__file__).parent / "languages"
 COMPONENTS = {
     "java": "ir-sensor-states",
     "cpp": "ir-sensor-cpp",
@@ -89,6 +91,74 @@ def test_an_exception_in_a_constructor_is_no_error_of_the_first_step(sitaf, tmp_
     for case in cases_of(tmp_path / "result"):
         assert case.get("verdict") == "ERROR"
         assert {step.get("verdict") for step in case.findall("step")} == {"DONT"}
+
+
+def guard_in(sitaf, language, folder):
+    """The collision guard in a language."""
+    activity = shutil.copytree(sitaf.root / "examples" / "collision-guard", folder)
+    if language != "python":
+        shutil.rmtree(activity / "component")
+        shutil.copytree(PARTS / "guard" / language, activity / "component")
+        name = {"java": "robot.CollisionGuard", "cpp": "robot::CollisionGuard"}[language]
+        profile = (activity / "activity.yaml").read_text()
+        profile = profile.replace("language: python", f"language: {language}")
+        profile = profile.replace("collision_guard.CollisionGuard", name)
+        (activity / "activity.yaml").write_text(profile)
+    return activity
+
+
+@pytest.mark.parametrize("language", ["java", pytest.param("cpp", marks=cpp), "python"])
+def test_each_call_sets_the_world_and_the_answers_of_stubs(sitaf, language, tmp_path):
+    activity = guard_in(sitaf, language, tmp_path / "activity")
+    run = sitaf("run", activity, "--result", tmp_path / "result")
+    assert run.returncode == 0, run.stdout + run.stderr
+    cases = ElementTree.parse(tmp_path / "result" / "Watching.xml").findall(
+        "test_result_list/test_result"
+    )
+    checks = {
+        (*(value.text for value in step.findall("value")), step.findtext("actual"))
+        for case in cases
+        for step in case.findall("step")
+        if step.get("name") == "Check"
+    }
+    assert {(float(distance), *rest) for distance, *rest in checks} >= {
+        (2.0, "0.9", "CLEAR"),
+        (2.0, "0.1", "LOW"),
+        (2.0, "!error:NoContact", "LOW"),
+        (0.3, "0.9", "STOP"),
+    }
+    # A call with a distance of its own and one without: the guard remembers the stop.
+    stopped = [
+        step
+        for case in cases
+        for step in case.findall("step")
+        if step.get("name") == "CheckStopped"
+    ]
+    assert {step.findtext("actual") for step in stopped} == {"STOP"}
+    assert {float(step.findtext("value")) for step in stopped} == {0.3, 2.0}
+
+
+def test_a_stop_that_a_battery_hides_fails_at_its_step(sitaf):
+    run = sitaf("run", "examples/collision-guard-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert re.search(
+        r"step \d+ \(CheckStopped\): expected 'STOP', but was 'LOW'", run.stdout
+    ), run.stdout
+    assert re.search(
+        r"(?m)^ +> +\d+ +FAIL +CheckStopped\(.*NoContact.*\)", run.stdout
+    ), run.stdout
+    assert ", 0 ERROR," in run.stdout
+
+
+def test_a_parameter_that_the_world_does_not_have_is_refused_at_its_call(
+    sitaf, tmp_path
+):
+    activity = guard_in(sitaf, "python", tmp_path / "activity")
+    model = activity / "Watching.xml"
+    model.write_text(model.read_text().replace("<name>Distance<", "<name>Distanse<"))
+    run = sitaf("run", activity)
+    assert run.returncode == 2, run.stdout + run.stderr
+    assert re.search(r"Watching\.xml:\d+: .*Distanse.*no such parameter", run.stderr)
 
 
 def test_an_object_that_is_taken_away_is_noticed(sitaf):

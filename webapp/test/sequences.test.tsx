@@ -189,6 +189,23 @@ describe('the editor of sequences', () => {
     });
   });
 
+  test('lets a call set the world before it', async () => {
+    const { user } = openPortal(server, ADDRESS);
+    await user.click(await screen.findByRole('button', { name: /Parameters/ }));
+    const inputs = screen.getByRole('group', { name: 'Inputs of Read' });
+    const known = sent()?.calls[0]?.inputs.length ?? 0;
+    await user.click(within(inputs).getByLabelText('Add to the inputs of Read'));
+    await user.click(await screen.findByRole('option', { name: 'Distance' }));
+    await waitFor(() => {
+      expect(sent()?.calls[0]?.inputs).toHaveLength(known + 1);
+    });
+    expect(sent()?.calls[0]?.inputs.at(-1)).toMatchObject({ name: 'Distance', kind: 'TDSD' });
+    await user.click(within(inputs).getByRole('checkbox', { name: 'Distance' }));
+    await waitFor(() => {
+      expect(sent()?.calls[0]?.inputs).toHaveLength(known);
+    });
+  });
+
   test('edits the tolerances and conditions of a call', async () => {
     const { user } = openPortal(server, ADDRESS);
     await user.click(await screen.findByRole('button', { name: /Combination/ }));

@@ -28,6 +28,12 @@ Stubbing::Stubbing(TestRun& run, Raise raise) : run_(run), raise_(raise) {
   });
 }
 
+std::size_t Stubbing::calls(const std::string& method) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto known = numbers_.find(method);
+  return known == numbers_.end() ? 0 : known->second;
+}
+
 std::size_t Stubbing::add(suite::StubCall call) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++calls_.counts[call.method];

@@ -124,17 +124,26 @@ class StubbedMethod(Generic[T]):
         self._outs = dict(outs or {})
         self._count = 0
         self._answers: dict[str, list[tuple[int, Any]]] = {}
+        # The number of calls before the answers were replaced, from which their calls count.
+        self._before: dict[str, int] = {}
         self.reset()
 
     def reset(self) -> None:
         """Reset the answers to the default value of each type, and restart the count of calls."""
         self._count = 0
+        self._before = {}
         self._answers = {name: [(1, kind.zero())] for name, kind in self._outs.items()}
         self._answers[""] = [(1, None if self._kind is None else self._kind.zero())]
 
     def answer(self, value: T | Answer[T], from_call: int = 1, out: str = "") -> None:
         """Set the answer from a call (counted from 1) onwards, for the return value or for an out-parameter."""
         self._answers[out].append((from_call, value))
+
+    def replace(self, by_call: Mapping[int, T | Answer[T]], out: str = "") -> None:
+        """Replace the answers in the running case; their calls (from 1) count from now on."""
+        kind = self._outs[out] if out else self._kind
+        self._before[out] = self._count
+        self._answers[out] = [(1, None if kind is None else kind.zero()), *sorted(by_call.items())]
 
     def call(self, *arguments: Any) -> Any:
         """Handle a call of the component; its time counts as time in stubs.
@@ -167,7 +176,8 @@ class StubbedMethod(Generic[T]):
 
     def _current(self, out: str) -> Any:
         current = None
+        number = max(1, self._count - self._before.get(out, 0))
         for from_call, value in self._answers[out]:
-            if from_call <= self._count:
+            if from_call <= number:
                 current = value
         return current

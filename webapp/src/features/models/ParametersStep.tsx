@@ -4,6 +4,7 @@ import { CallInputs } from './sequence';
 import {
   argumentsOf,
   faultInputs,
+  isPartOfFault,
   stubInputs,
   worldInputs,
   type Candidate,
@@ -11,9 +12,6 @@ import {
   type Method,
 } from './defaults';
 import { INPUT_KINDS, type ModelDraft } from './document';
-
-/** The parts of a fault's name. */
-const TIMES = ['.at', '.for', '.value'];
 
 interface ParametersStepProps {
   description: Description;
@@ -57,10 +55,8 @@ export function ParametersStep({ description, method, draft, onChange }: Paramet
   const otherInputs = draft.inputs.filter(({ name }) => !offered.includes(name));
 
   function toggle({ input }: Candidate, selected: boolean) {
-    // The times of a fault have no effect without the fault.
     const without = draft.inputs.filter(
-      ({ name }) =>
-        name !== input.name && (selected || !TIMES.some((time) => name === input.name + time)),
+      ({ name }) => name !== input.name && (selected || !isPartOfFault(name, input.name)),
     );
     const inputs = selected ? [...without, input] : without;
     // The order of the paper's tables.

@@ -78,6 +78,11 @@ export function faultInputs({ world }: Description, selected: readonly string[])
   );
 }
 
+/** Whether an input is a time or the value of a fault, which has no effect without the fault. */
+export function isPartOfFault(name: string, fault: string): boolean {
+  return ['.at', '.for', '.value'].some((part) => name === fault + part);
+}
+
 function faultInput(name: string, realType: string, userValues: string[]): InputDraft {
   return {
     name,

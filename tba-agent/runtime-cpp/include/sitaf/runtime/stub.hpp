@@ -35,6 +35,9 @@ class Stubbing {
   /// Starts a case: clears the recorded calls, and sets the count of each of these methods to 0.
   void begin(const std::vector<std::string>& methods);
 
+  /// How often a method was called in the case so far.
+  std::size_t calls(const std::string& method);
+
   Stopwatch& stopwatch() { return run_.stopwatch(); }
 
  private:
@@ -73,23 +76,39 @@ template <class T>
 class Answers {
  public:
   /// Resets the answers to the default value of the type.
-  void reset() { byCall_.clear(); }
+  void reset() { replace({}, 0); }
 
-  void set(std::size_t fromCall, Answer<T> answer) { byCall_[fromCall] = std::move(answer); }
+  void set(std::size_t fromCall, Answer<T> answer) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    byCall_[fromCall] = std::move(answer);
+  }
+
+  /// Replaces the answers in the running case, while other threads may call the method. Calls of the new answers are
+  /// counted after the `before` calls that were made so far.
+  void replace(std::map<std::size_t, Answer<T>> byCall, std::size_t before) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    byCall_ = std::move(byCall);
+    before_ = before;
+  }
 
   /// Handles a call: waits, then throws or returns the answer.
   T give(const StubbedCall& call) const {
-    auto next = byCall_.upper_bound(call.number());
-    if (next == byCall_.begin()) {
-      return T{};
-    }
-    const Answer<T>& answer = (--next)->second;
+    const Answer<T> answer = of(call.number());
     call.act(answer.delay, answer.error);
     return answer.value;
   }
 
  private:
+  Answer<T> of(std::size_t number) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // A call that was recorded before the answers were replaced gets the first of the new ones.
+    auto next = byCall_.upper_bound(number > before_ ? number - before_ : 1);
+    return next == byCall_.begin() ? Answer<T>{} : (--next)->second;
+  }
+
+  mutable std::mutex mutex_;
   std::map<std::size_t, Answer<T>> byCall_;
+  std::size_t before_ = 0;
 };
 
 /// An argument in the record of a call.

@@ -51,6 +51,7 @@ class CaseRun:
         self._messages = 0
         # Messages and calls of required services in their order.
         self._calls: list[tuple[str, dict[str, str]]] = []
+        self._stubs: list[Stub] = []
         self._system: Any = None
 
     def run(self) -> dict[str, Any]:
@@ -80,6 +81,10 @@ class CaseRun:
     def _make(self, call: Call) -> dict[str, Any]:
         """Make a call and return its record."""
         self._advance(self._system.now_ns + call.settle_ns)
+        if self._plan.call is None:
+            # The answers of this step, from now on.
+            for stub in self._stubs:
+                stub.replace(call.answers, self._values)
         # Messages before the call do not count.
         self._calls[:] = [made for made in self._calls if not made[0].startswith(f"{_INTERFACE}.")]
         self._call_ns = self._system.now_ns
@@ -155,8 +160,9 @@ class CaseRun:
             if topic.commands:
                 system.subscribe(topic.name, topic.type, lambda m, t, topic=topic: self._command(topic, m))
         for entry in self._plan.required:
-            given = [answer for answer in self._plan.answers if answer["method"] == entry["method"]]
-            Stub(entry, given, self._values, self._fields, self._calls).serve(system)
+            stub = Stub(entry, self._plan.answers, self._values, self._fields, self._calls)
+            stub.serve(system)
+            self._stubs.append(stub)
 
     def _command(self, topic: Topic, message: Any) -> None:
         if self._world is not None:

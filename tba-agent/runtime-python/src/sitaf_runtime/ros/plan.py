@@ -38,13 +38,18 @@ class Topic:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A call of the test: what it publishes or calls, and what is recorded; times are in nanoseconds."""
+    """A call of the test: what it publishes or calls, and what is recorded; times are in nanoseconds.
+
+    As a step of a sequence it may change the world (`settings`) and the answers of required services from then on.
+    """
 
     target: dict[str, Any]
     settle_ns: int
     run_for_ns: int
     inputs: tuple[dict[str, Any], ...]
     outputs: tuple[dict[str, Any], ...]
+    settings: tuple[str, ...]
+    answers: tuple[dict[str, Any], ...]
 
     @classmethod
     def of(cls, given: dict[str, Any]) -> Call:
@@ -55,6 +60,8 @@ class Call:
             round(given["run_for"] * _NANOS),
             tuple(given["inputs"]),
             tuple(given["outputs"]),
+            tuple(given["settings"]),
+            tuple(given["answers"]),
         )
 
 

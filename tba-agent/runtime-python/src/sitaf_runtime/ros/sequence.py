@@ -6,12 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 from sitaf_runtime.ros.driver import RosTestDriver
 from sitaf_runtime.sequence import SequenceDriver
+from sitaf_runtime.suite.kinds import FLOAT64
 from sitaf_runtime.suite.result import CaseResult, Outcome
 from sitaf_runtime.suite.test_case import TestCase, TestStep
 
 if TYPE_CHECKING:
+    from sitaf_runtime.ros.plan import Call
     from sitaf_runtime.run import TestRun
     from sitaf_runtime.simulation.session import Simulation
+
+# What the names of faults of devices begin with.
+_FAULT = "fault."
 
 
 class RosSequenceDriver(RosTestDriver, SequenceDriver[object]):
@@ -26,6 +31,8 @@ class RosSequenceDriver(RosTestDriver, SequenceDriver[object]):
         # Whether the process of the node waits for a step.
         self._waits = False
         self._message: dict[str, Any] = {}
+        # The faults of the coming call, which begin with it.
+        self._faults: dict[str, float] = {}
 
     def run_case(self, test_case: TestCase, result: CaseResult) -> None:
         """Run one case step by step. A node that ends, or whose callback fails, ends its case at that step."""
@@ -63,6 +70,7 @@ class RosSequenceDriver(RosTestDriver, SequenceDriver[object]):
         call = self._plan.calls.get(step.name)
         if call is None:
             raise self.unknown(step)
+        self._set_up(step, call)
         self._waits = False
         self._node.answer({"call": step.name, "values": dict(step.values)})
         try:
@@ -78,6 +86,21 @@ class RosSequenceDriver(RosTestDriver, SequenceDriver[object]):
         record = message.get("record")
         ended = message if "ended" in message else self.next_message(self._simulation)
         self.complete(result, record, ended.get("ended", ""))
+
+    def _set_up(self, step: TestStep, call: Call) -> None:
+        """Change the world as the step says."""
+        values = {name: step.read(name, FLOAT64) for name in call.settings}
+        self._faults = {name: value for name, value in values.items() if name.startswith(_FAULT)}
+        for name, value in values.items():
+            if name not in self._faults:
+                self._run.simulation.set(name, value)
+
+    def _answer(self, message: dict[str, Any], simulation: Simulation | None) -> dict[str, Any]:
+        if "called" in message:
+            for name, value in self._faults.items():
+                self._run.simulation.set(name, value)
+            self._faults = {}
+        return super()._answer(message, simulation)
 
     def end_sequence(self, test_case: TestCase) -> None:
         """Let the time after the last step pass."""

@@ -39,23 +39,36 @@ def results_of(fields: Iterable[str], taken: set[str]) -> dict[str, str]:
 
 
 class Stub:
-    """One required service or action. `answers` are those of the case, `calls` receives the recorded calls."""
+    """One required service or action. `answers` are those of all stubs, `calls` receives the recorded calls."""
 
     def __init__(
         self,
         entry: Mapping[str, Any],
-        answers: list[dict[str, Any]],
+        answers: Iterable[dict[str, Any]],
         values: Mapping[str, str],
         fields: Fields,
         calls: list[tuple[str, dict[str, str]]],
     ) -> None:
         self._entry = entry
-        self._answers = sorted(answers, key=lambda answer: answer["from_call"])
-        self._values = values
+        # Literals of each part of the response (empty: the whole) from a call on.
+        self._answers: dict[str, list[tuple[int, str]]] = {}
+        # The number of calls before the answers of a part were replaced, from which their calls count.
+        self._before: dict[str, int] = {}
         self._fields = fields
         self._calls = calls
         self._count = 0
         self._system: Any = None
+        self.replace(answers, values)
+
+    def replace(self, answers: Iterable[dict[str, Any]], values: Mapping[str, str]) -> None:
+        """Answer from now on with these values; parts of the response that no answer names keep theirs."""
+        by_part: dict[str, list[tuple[int, str]]] = {}
+        for answer in answers:
+            if answer["method"] == self._entry["method"]:
+                by_part.setdefault(answer["part"] or "", []).append((answer["from_call"], values[answer["column"]]))
+        for part, literals in by_part.items():
+            self._answers[part] = sorted(literals)
+            self._before[part] = self._count
 
     def serve(self, system: Any) -> None:
         """Answer the calls of a case."""
@@ -97,26 +110,22 @@ class Stub:
             literal = self._current(name)
             if literal is not None:
                 response[field] = self._fields.parse(types[field], literal)
-        whole = self._values.get(self._column("")) if self._column("") else None
-        if whole is not None and whole.startswith("!"):
+        whole = self._current("", special=True)
+        if whole is not None:
             delay_s, literal = _special(whole)
             if literal is not None and len(types) == 1:
                 only = next(iter(types))
                 response[only] = self._fields.parse(types[only], literal)
         return delay_s, response
 
-    def _column(self, part: str) -> str:
-        """The column of the current call's answer; empty if there is none."""
-        column = ""
-        for answer in self._answers:
-            if (answer["part"] or "") == part and answer["from_call"] <= self._count:
-                column = answer["column"]
-        return column
-
-    def _current(self, part: str) -> str | None:
-        column = self._column(part)
-        literal = self._values[column] if column else None
-        return None if literal is None or literal.startswith("!") else literal
+    def _current(self, part: str, special: bool = False) -> str | None:
+        """The value of the current call's answer, or with `special` its error or delay; None if there is none."""
+        number = self._count - self._before.get(part, 0)
+        current = None
+        for from_call, literal in self._answers.get(part, ()):
+            if from_call <= number:
+                current = literal
+        return current if current is not None and current.startswith("!") == special else None
 
 
 def _special(literal: str) -> tuple[float, str | None]:

@@ -1,8 +1,8 @@
-import { Checkbox, Stack, Text } from '@mantine/core';
+import { Checkbox, Select, Stack, Text } from '@mantine/core';
 import { Section, UserText } from '@/shared/ui';
-import { argumentsOf, type Description } from '../defaults';
-import type { InputDraft, SequenceDraft } from '../document';
-import { methodOf, methodsOf } from './defaults';
+import { argumentsOf, isPartOfFault, type Candidate, type Description } from '../defaults';
+import { INPUT_KINDS, type InputDraft, type SequenceDraft } from '../document';
+import { methodOf, methodsOf, surroundingsOf } from './defaults';
 
 interface CallInputsProps {
   description: Description;
@@ -11,10 +11,11 @@ interface CallInputsProps {
   onChange: (sequence: SequenceDraft) => void;
 }
 
-/** The inputs to vary of each call of a sequence. */
+/** The inputs to vary of each call of a sequence: its arguments, and what the call finds around it. */
 export function CallInputs({ description, interfaceName, sequence, onChange }: CallInputsProps) {
   const { calls } = sequence;
   const methods = methodsOf(description, interfaceName);
+  const around = calls.map((call) => surroundingsOf(description, call));
   const offered = calls.map((call) => {
     const method = methodOf(methods, call);
     const candidates = method ? argumentsOf(method).map(({ input }) => input) : [];
@@ -26,21 +27,29 @@ export function CallInputs({ description, interfaceName, sequence, onChange }: C
   function toggle(index: number, input: InputDraft, selected: boolean) {
     const call = calls[index];
     if (!call) return;
-    const names = (offered[index] ?? []).map(({ name }) => name);
-    const inputs = call.inputs.filter(({ name }) => name !== input.name);
+    const inputs = call.inputs.filter(
+      ({ name }) => name !== input.name && (selected || !isPartOfFault(name, input.name)),
+    );
     if (selected) inputs.push(input);
-    inputs.sort((a, b) => names.indexOf(a.name) - names.indexOf(b.name));
+    const names = (offered[index] ?? []).map(({ name }) => name);
+    function place({ kind, name }: InputDraft) {
+      // The order of the paper's tables, then that of the method.
+      const known = names.indexOf(name);
+      return INPUT_KINDS.indexOf(kind) * 1000 + (known < 0 ? names.length : known);
+    }
+    inputs.sort((a, b) => place(a) - place(b));
     onChange({ ...sequence, calls: calls.with(index, { ...call, inputs }) });
   }
   return (
-    <Section title="Inputs of the calls (TDI)">
-      {offered.every((inputs) => inputs.length === 0) && (
+    <Section title="Inputs of the calls">
+      {offered.every((inputs, index) => inputs.length + (around[index]?.length ?? 0) === 0) && (
         <Text c="dimmed">The calls have no inputs.</Text>
       )}
       {calls.map((call, index) => {
         const inputs = offered[index] ?? [];
+        const further = around[index] ?? [];
         return (
-          inputs.length > 0 && (
+          inputs.length + further.length > 0 && (
             <Stack key={index} gap="xs" role="group" aria-label={`Inputs of ${call.name}`}>
               <Text fw={600}>
                 <UserText>{call.name}</UserText>
@@ -49,17 +58,45 @@ export function CallInputs({ description, interfaceName, sequence, onChange }: C
                 <Checkbox
                   key={input.name}
                   label={<UserText>{input.name}</UserText>}
-                  description={<UserText>{input.realType}</UserText>}
+                  description={<UserText>{`${input.kind}, ${input.realType}`}</UserText>}
                   checked={call.inputs.some(({ name }) => name === input.name)}
                   onChange={(event) => {
                     toggle(index, input, event.currentTarget.checked);
                   }}
                 />
               ))}
+              {further.length > 0 && (
+                <Select
+                  aria-label={`Add to the inputs of ${call.name}`}
+                  placeholder="Add a parameter of the world, a fault or an answer of a stub"
+                  description="Set when the call begins, and kept until another step sets it"
+                  inputWrapperOrder={['input', 'description']}
+                  data={grouped(further)}
+                  value={null}
+                  searchable
+                  maw="32rem"
+                  onChange={(name) => {
+                    const chosen = further.find(({ input }) => input.name === name);
+                    if (chosen) toggle(index, chosen.input, true);
+                  }}
+                />
+              )}
             </Stack>
           )
         );
       })}
     </Section>
   );
+}
+
+function grouped(candidates: readonly Candidate[]) {
+  return [
+    { group: 'Simulation (TDSD)', kind: 'TDSD' },
+    { group: 'Stub (TDTS)', kind: 'TDTS' },
+  ]
+    .map(({ group, kind }) => ({
+      group,
+      items: candidates.filter(({ input }) => input.kind === kind).map(({ input }) => input.name),
+    }))
+    .filter(({ items }) => items.length > 0);
 }

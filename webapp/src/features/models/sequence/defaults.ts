@@ -4,7 +4,9 @@ import {
   faultInputs,
   freeName,
   outputsOf,
+  stubInputs,
   worldInputs,
+  type Candidate,
   type Description,
   type Method,
 } from '../defaults';
@@ -68,6 +70,16 @@ export function eventOf(set: string, sequence: SequenceDraft): EventDraft {
 export function changesOf(description: Description): string[] {
   const switched = faultInputs(description, []).map(({ input }) => input.name);
   return [...worldInputs(description).map(({ input }) => input.name), ...switched];
+}
+
+/** What a call can set around it and does not yet: the world, faults of devices, and answers of stubs. */
+export function surroundingsOf(description: Description, call: CallDraft): Candidate[] {
+  const names = call.inputs.map(({ name }) => name);
+  return [
+    ...worldInputs(description),
+    ...faultInputs(description, names),
+    ...stubInputs(description),
+  ].filter(({ input }) => !names.includes(input.name));
 }
 
 function namesOf({ calls, events }: SequenceDraft): string[] {

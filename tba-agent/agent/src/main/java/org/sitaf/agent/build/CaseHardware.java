@@ -94,7 +94,7 @@ final class CaseHardware {
     }
   }
 
-  /** What the test sets: the inputs of its cases, and those of events in sequences. */
+  /** What the test sets: the inputs of its cases, and in sequences those of calls and events. */
   private Set<String> parameters() {
     Set<String> names =
         application.suite().parameters().stream()
@@ -104,6 +104,10 @@ final class CaseHardware {
     SequenceSpec sequence = application.model().sequence();
     if (sequence != null) {
       sequence.events().forEach(event -> names.add(event.set()));
+      sequence.calls().stream()
+          .flatMap(call -> call.model().inputs().stream())
+          .filter(input -> input.kind() == InputKind.TDSD)
+          .forEach(input -> names.add(input.name()));
     }
     return names;
   }

@@ -19,7 +19,7 @@ public final class StubbedMethod<T> {
   private final Stubbing stubbing;
   private final String name;
   private final List<String> parameters;
-  private volatile Answers<T> answers;
+  private Answers<T> answers;
   private int calls;
 
   /**
@@ -36,9 +36,9 @@ public final class StubbedMethod<T> {
     this.answers = Answers.none(unset);
   }
 
-  /** Sets the answers of this case, and restarts the count of calls. */
-  public synchronized void answerWith(Answers<T> ofThisCase) {
-    answers = ofThisCase;
+  /** Sets the answers of a case, or from a step on, and restarts the count of calls. */
+  public synchronized void answerWith(Answers<T> fromNow) {
+    answers = fromNow;
     calls = 0;
   }
 
@@ -51,7 +51,7 @@ public final class StubbedMethod<T> {
     long entered = stubbing.stopwatch().enter();
     try {
       record(arguments);
-      Answer<T> answer = answers.of(next());
+      Answer<T> answer = next();
       Duration delay = answer.delay();
       if (!delay.isZero()) {
         stubbing.pass(delay);
@@ -69,8 +69,8 @@ public final class StubbedMethod<T> {
     }
   }
 
-  private synchronized int next() {
-    return ++calls;
+  private synchronized Answer<T> next() {
+    return answers.of(++calls);
   }
 
   private void record(@Nullable Object... arguments) {

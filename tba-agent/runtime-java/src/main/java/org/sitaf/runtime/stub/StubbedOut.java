@@ -10,7 +10,7 @@ import org.sitaf.runtime.suite.Answers;
  * @param <T> the boxed type
  */
 public final class StubbedOut<T> {
-  private volatile Answers<T> answers;
+  private Answers<T> answers;
   private int calls;
 
   /**
@@ -22,9 +22,9 @@ public final class StubbedOut<T> {
     this.answers = Answers.none(Objects.requireNonNull(unset));
   }
 
-  /** Sets the answers of this case, and restarts the count of calls. */
-  public synchronized void answerWith(Answers<T> ofThisCase) {
-    answers = ofThisCase;
+  /** Sets the answers of a case, or from a step on, and restarts the count of calls. */
+  public synchronized void answerWith(Answers<T> fromNow) {
+    answers = fromNow;
     calls = 0;
   }
 

@@ -1,10 +1,14 @@
 package org.sitaf.core.harness.cpp;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.harness.cpp.syntax.CppNames;
 import org.sitaf.core.harness.cpp.syntax.CppText;
@@ -35,11 +39,16 @@ record CppPlan(
    * A step of a sequence.
    *
    * @param method name of the driver's method that executes it
+   * @param prepare name of the test stub's method that sets the answers of a call
    * @param call the plan of a call; null for an event
    * @param event null for a call
    */
   record Step(
-      String name, String method, @Nullable CppPlan call, HarnessPlan.@Nullable EventStep event) {}
+      String name,
+      String method,
+      String prepare,
+      @Nullable CppPlan call,
+      HarnessPlan.@Nullable EventStep event) {}
 
   /** Whether a case is a sequence of steps. */
   boolean isSequence() {
@@ -103,6 +112,7 @@ record CppPlan(
    * The answers for the return value or one out-parameter.
    *
    * @param member member of the stub's class, without {@code _}
+   * @param byCall answers that the cases set; none if only steps set them
    */
   record Answers(String member, @Nullable Parameter parameter, String type, List<Answer> byCall) {}
 
@@ -128,7 +138,11 @@ record CppPlan(
         plan.stubs().stream()
             .map(
                 s ->
-                    new Stub(s, s.name() + "Stub", members.local(s.name()), stubMethods(s, locals)))
+                    new Stub(
+                        s,
+                        s.name() + "Stub",
+                        members.local(s.name()),
+                        stubMethods(s, answeredInSteps(plan, s.name()), locals)))
             .toList();
     return new CppPlan(
         plan,
@@ -151,16 +165,41 @@ record CppPlan(
     for (HarnessPlan.CallStep step : sequence.calls()) {
       String suffix = Words.raised(methods.local(step.name()));
       steps.add(
-          new Step(step.name(), "step" + suffix, of(step.call(), header, "call" + suffix), null));
+          new Step(
+              step.name(),
+              "step" + suffix,
+              "prepare" + suffix,
+              of(step.call(), header, "call" + suffix),
+              null));
     }
     for (HarnessPlan.EventStep step : sequence.events()) {
       String suffix = Words.raised(methods.local(step.name()));
-      steps.add(new Step(step.name(), "event" + suffix, null, step));
+      steps.add(new Step(step.name(), "event" + suffix, "", null, step));
     }
     return steps;
   }
 
-  private static List<StubMethod> stubMethods(HarnessPlan.Stub stub, CppNames locals) {
+  /** The answers that steps set, by the method of an interface. */
+  private static Map<Method, List<HarnessPlan.Answer>> answeredInSteps(
+      HarnessPlan plan, String interfaceName) {
+    Map<Method, List<HarnessPlan.Answer>> answers = new LinkedHashMap<>();
+    if (plan.sequence() != null) {
+      for (HarnessPlan.CallStep step : plan.sequence().calls()) {
+        step.call().stubs().stream()
+            .filter(s -> s.name().equals(interfaceName))
+            .flatMap(s -> s.methods().stream())
+            .forEach(
+                m ->
+                    answers
+                        .computeIfAbsent(m.method(), method -> new ArrayList<>())
+                        .addAll(m.answers()));
+      }
+    }
+    return answers;
+  }
+
+  private static List<StubMethod> stubMethods(
+      HarnessPlan.Stub stub, Map<Method, List<HarnessPlan.Answer>> inSteps, CppNames locals) {
     CppNames members = new CppNames();
     // The name of a member, with its trailing underscore, must differ from all method names.
     stub.methods().stream()
@@ -174,20 +213,34 @@ record CppPlan(
         Parameter parameter = answer.parameter();
         Answer planned = new Answer(answer, locals.local(answer.column()));
         Answers last = answers.isEmpty() ? null : answers.get(answers.size() - 1);
-        if (last != null && java.util.Objects.equals(last.parameter(), parameter)) {
+        if (last != null && Objects.equals(last.parameter(), parameter)) {
           List<Answer> more = new ArrayList<>(last.byCall());
           more.add(planned);
           answers.set(answers.size() - 1, new Answers(last.member(), parameter, last.type(), more));
           continue;
         }
-        String name =
-            method.method().name() + (parameter == null ? "" : Words.raised(parameter.name()));
-        String type = answer.type().isVoid() ? "runtime::Nothing" : CppType.of(answer.type());
-        answers.add(new Answers(members.local(name), parameter, type, List.of(planned)));
+        answers.add(answers(method, answer, members, List.of(planned)));
+      }
+      for (HarnessPlan.Answer answer : inSteps.getOrDefault(method.method(), List.of())) {
+        if (answers.stream().noneMatch(a -> Objects.equals(a.parameter(), answer.parameter()))) {
+          answers.add(answers(method, answer, members, List.of()));
+        }
       }
       methods.add(new StubMethod(method, answers));
     }
     return methods;
+  }
+
+  private static Answers answers(
+      HarnessPlan.StubMethod method,
+      HarnessPlan.Answer answer,
+      CppNames members,
+      List<Answer> byCall) {
+    Parameter parameter = answer.parameter();
+    String name =
+        method.method().name() + (parameter == null ? "" : Words.raised(parameter.name()));
+    String type = answer.type().isVoid() ? "runtime::Nothing" : CppType.of(answer.type());
+    return new Answers(members.local(name), parameter, type, byCall);
   }
 
   /** All answers, in the order of interfaces, methods, parameters and calls. */

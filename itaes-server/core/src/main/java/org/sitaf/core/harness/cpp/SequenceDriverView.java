@@ -46,12 +46,20 @@ record SequenceDriverView(
       String step,
       String method,
       List<String> reads,
+      List<String> settings,
       @Nullable String settle,
+      List<String> faults,
+      @Nullable String answers,
       @Nullable String runFor,
       boolean blocking,
       String call,
       String collect,
-      List<String> outputs) {}
+      List<String> outputs) {
+    /** Whether the step changes the world. */
+    boolean sets() {
+      return !settings.isEmpty() || !faults.isEmpty();
+    }
+  }
 
   /** The method of an event. */
   record Event(String step, String parameter, String method, String statement) {}
@@ -110,9 +118,17 @@ record SequenceDriverView(
         CppText.comment(step.name()),
         step.method(),
         TestDriverView.reads(plan),
+        settings(plan, false),
         world == null || world.settle().isZero()
             ? null
             : SimulationControlView.duration(world.settle()),
+        settings(plan, true),
+        plan.answers().isEmpty()
+            ? null
+            : CppText.list(
+                "testStub_." + step.prepare() + "(",
+                plan.answers().stream().map(CppPlan.Answer::local).toList(),
+                ");"),
         world == null || world.runFor().isZero()
             ? null
             : SimulationControlView.duration(world.runFor()),
@@ -120,6 +136,19 @@ record SequenceDriverView(
         TestDriverView.call(plan),
         TestDriverView.collect(plan),
         plan.plan().outputs().stream().map(o -> TestDriverView.output(plan, o)).toList());
+  }
+
+  /** Sets the parameters of the world, or the faults, which begin with the call. */
+  private static List<String> settings(CppPlan plan, boolean faults) {
+    return plan.settings().stream()
+        .filter(s -> s.setting().isFault() == faults)
+        .map(
+            s ->
+                CppText.list(
+                    "simulationControl_.set(",
+                    List.of(CppText.string(s.setting().name()), s.local()),
+                    ");"))
+        .toList();
   }
 
   private static Event event(CppPlan.Step step, HarnessPlan.EventStep event) {

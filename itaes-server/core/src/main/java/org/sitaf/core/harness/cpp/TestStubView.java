@@ -2,6 +2,8 @@ package org.sitaf.core.harness.cpp;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
@@ -20,9 +22,13 @@ record TestStubView(
     List<Interface> interfaces,
     String answers,
     List<String> settings,
+    List<StepAnswers> steps,
     List<Error> errors,
     String constructor,
     String begin) {
+
+  /** The function that sets the answers of a step. */
+  record StepAnswers(String step, String name, String answers, List<String> settings) {}
 
   /** A stubbed interface. */
   record Interface(
@@ -40,17 +46,14 @@ record TestStubView(
   record Error(String name, String literal) {}
 
   static TestStubView of(CppPlan plan) {
-    List<String> parameters =
-        plan.answers().stream()
-            .map(a -> "const runtime::Answer<" + plan.typeOf(a) + ">& " + a.local())
-            .toList();
     return new TestStubView(
         plan.namespace(),
         !plan.stubs().isEmpty(),
         includes(plan),
         plan.stubs().stream().map(TestStubView::answering).toList(),
-        String.join(", ", parameters),
+        parameters(plan),
         settings(plan),
+        steps(plan),
         plan.plan().errors().stream().map(e -> new Error(e, CppText.string(e))).toList(),
         CppText.constructor(
             "TestStub::TestStub(runtime::TestRun& run)",
@@ -60,6 +63,61 @@ record TestStubView(
                 .toList()),
         CppText.list(
             "stubbing_.begin(", List.of("{" + String.join(", ", methodNames(plan)) + "}"), ");"));
+  }
+
+  private static String parameters(CppPlan plan) {
+    return plan.answers().stream()
+        .map(a -> "const runtime::Answer<" + plan.typeOf(a) + ">& " + a.local())
+        .collect(Collectors.joining(", "));
+  }
+
+  private static List<StepAnswers> steps(CppPlan plan) {
+    List<StepAnswers> steps = new ArrayList<>();
+    for (CppPlan.Step step : plan.steps()) {
+      CppPlan call = step.call();
+      if (call != null && !call.answers().isEmpty()) {
+        steps.add(
+            new StepAnswers(
+                CppText.comment(step.name()),
+                step.prepare(),
+                parameters(call),
+                call.stubs().stream().flatMap(s -> replacing(plan, s)).toList()));
+      }
+    }
+    return steps;
+  }
+
+  /** Replaces the answers of an interface that a step sets. */
+  private static Stream<String> replacing(CppPlan whole, CppPlan.Stub ofStep) {
+    CppPlan.Stub stub =
+        whole.stubs().stream()
+            .filter(s -> s.className().equals(ofStep.className()))
+            .findFirst()
+            .orElseThrow();
+    List<String> statements = new ArrayList<>();
+    for (int m = 0; m < ofStep.methods().size(); m++) {
+      CppPlan.StubMethod method = stub.methods().get(m);
+      for (CppPlan.Answers answers : ofStep.methods().get(m).answers()) {
+        String member =
+            method.answers().stream()
+                .filter(a -> Objects.equals(a.parameter(), answers.parameter()))
+                .findFirst()
+                .orElseThrow()
+                .member();
+        statements.add(
+            CppText.list(
+                stub.name() + "_." + member + "_.replace(",
+                List.of(
+                    answers.byCall().stream()
+                        .map(a -> "{" + a.answer().fromCall() + ", " + a.local() + "}")
+                        .collect(Collectors.joining(", ", "{", "}")),
+                    "stubbing_.calls("
+                        + CppText.string(stub.stub().name() + "." + method.method().method().name())
+                        + ")"),
+                ");"));
+      }
+    }
+    return statements.stream();
   }
 
   private static List<String> methodNames(CppPlan plan) {

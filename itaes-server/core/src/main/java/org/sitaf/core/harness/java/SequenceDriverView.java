@@ -49,7 +49,10 @@ record SequenceDriverView(
       String step,
       String method,
       List<String> reads,
+      List<String> settings,
       @Nullable String settle,
+      List<String> faults,
+      @Nullable String answers,
       @Nullable String runFor,
       boolean nonblocking,
       String pendingType,
@@ -57,7 +60,12 @@ record SequenceDriverView(
       String expression,
       String call,
       String outcome,
-      List<String> outputs) {}
+      List<String> outputs) {
+    /** Whether the step changes the world. */
+    boolean sets() {
+      return !settings.isEmpty() || !faults.isEmpty();
+    }
+  }
 
   /** The method of an event. */
   record Event(String step, String parameter, String method, String statement) {}
@@ -111,9 +119,17 @@ record SequenceDriverView(
         JavaText.comment(step.name()),
         step.method(),
         TestDriverView.reads(plan),
+        settings(plan, false),
         world == null || world.settle().isZero()
             ? null
             : SimulationControlView.duration(world.settle()),
+        settings(plan, true),
+        plan.answers().isEmpty()
+            ? null
+            : JavaText.call(
+                "",
+                "testStub." + step.prepare(),
+                plan.answers().stream().map(Answered::local).toList()),
         world == null || world.runFor().isZero()
             ? null
             : SimulationControlView.duration(world.runFor()),
@@ -124,6 +140,20 @@ record SequenceDriverView(
         TestDriverView.call(plan),
         TestDriverView.outcome(plan),
         plan.outputs().stream().map(TestDriverView::output).toList());
+  }
+
+  /** Sets the parameters of the world, or the faults, which begin with the call. */
+  private static List<String> settings(JavaPlan plan, boolean faults) {
+    World world = plan.world();
+    return world == null
+        ? List.of()
+        : world.settings().stream()
+            .filter(s -> s.fault() == faults)
+            .map(
+                s ->
+                    JavaText.call(
+                        "", "simulationControl.set", List.of(JavaText.string(s.name()), s.local())))
+            .toList();
   }
 
   private static Event event(JavaPlan.Step step) {

@@ -1,13 +1,17 @@
 package org.sitaf.core.harness.java;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.Answered;
 import org.sitaf.core.harness.java.plan.JavaPlan.JavaParameter;
 import org.sitaf.core.harness.java.plan.JavaPlan.Stub;
 import org.sitaf.core.harness.java.plan.JavaPlan.StubMethod;
@@ -25,7 +29,11 @@ record TestStubView(
     List<Interface> interfaces,
     String answers,
     boolean hasSettings,
-    List<String> settings) {
+    List<String> settings,
+    List<StepAnswers> steps) {
+
+  /** The method that sets the answers of a step. */
+  record StepAnswers(String step, String method, String answers, List<String> settings) {}
 
   /** A stubbed interface. */
   record Interface(String name, String field, List<Answer> methods) {}
@@ -63,13 +71,40 @@ record TestStubView(
         fields,
         initialisations,
         plan.stubs().stream().map(TestStubView::answering).toList(),
-        answers.stream()
-            .map(a -> "Answers<" + a.boxed() + "> " + a.local())
-            .collect(Collectors.joining(", ")),
+        parameters(answers),
         !answers.isEmpty(),
-        answers.stream()
-            .map(a -> JavaText.call("", "this." + a.local() + ".answerWith", List.of(a.local())))
-            .toList());
+        answers.stream().map(a -> setting(a.local(), a)).toList(),
+        steps(plan, methods, outs));
+  }
+
+  private static String parameters(List<Answered> answers) {
+    return answers.stream()
+        .map(a -> "Answers<" + a.boxed() + "> " + a.local())
+        .collect(Collectors.joining(", "));
+  }
+
+  private static String setting(String field, Answered answer) {
+    return JavaText.call("", "this." + field + ".answerWith", List.of(answer.local()));
+  }
+
+  private static List<StepAnswers> steps(
+      JavaPlan plan, List<StubMethod> methods, List<StubOut> outs) {
+    Map<String, String> fields = new HashMap<>();
+    methods.forEach(m -> fields.put(m.fullName(), m.field()));
+    outs.forEach(o -> fields.put(o.fullName(), o.field()));
+    List<StepAnswers> steps = new ArrayList<>();
+    for (JavaPlan.Step step : plan.steps()) {
+      List<Answered> answers = step.call() == null ? List.of() : step.call().answers();
+      if (!answers.isEmpty()) {
+        steps.add(
+            new StepAnswers(
+                JavaText.comment(step.name()),
+                step.prepare(),
+                parameters(answers),
+                answers.stream().map(a -> setting(fields.get(a.column()), a)).toList()));
+      }
+    }
+    return steps;
   }
 
   private static String initialisation(StubMethod method) {
@@ -98,7 +133,8 @@ record TestStubView(
     if (!outs.isEmpty()) {
       imports.add("org.sitaf.runtime.stub.StubbedOut");
     }
-    if (!plan.answers().isEmpty()) {
+    if (Stream.concat(Stream.of(plan), plan.calls().stream())
+        .anyMatch(p -> !p.answers().isEmpty())) {
       imports.add("org.sitaf.runtime.suite.Answers");
     }
     plan.stubs().forEach(s -> imports.add(JavaType.INTERFACES + "." + s.name()));

@@ -11,6 +11,7 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath.Step;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
+import org.sitaf.core.description.fault.FaultName;
 import org.sitaf.core.model.Value;
 
 /**
@@ -95,7 +96,9 @@ public record HarnessPlan(
   /**
    * A call as a step.
    *
-   * @param call the plan of its method, arguments, outputs and times
+   * @param call the plan of its method, arguments, outputs and times, of the parameters of the
+   *     world that it sets before the call, and of the answers of stubs from then on. It has no
+   *     stubs if it sets no answers
    * @param overlap whether the next step begins while the call runs
    */
   public record CallStep(String name, HarnessPlan call, boolean overlap) {
@@ -182,6 +185,11 @@ public record HarnessPlan(
       public Setting {
         Objects.requireNonNull(name);
         Objects.requireNonNull(unit);
+      }
+
+      /** Whether it sets a fault of a device instead of a parameter of the world. */
+      public boolean isFault() {
+        return FaultName.isFault(name);
       }
     }
   }

@@ -43,8 +43,7 @@ public final class HarnessPlanner {
   private final TestSuite suite;
   private final Diagnostics diagnostics;
 
-  private HarnessPlanner(
-      Activity activity, TestModel model, TestSuite suite, Diagnostics diagnostics) {
+  HarnessPlanner(Activity activity, TestModel model, TestSuite suite, Diagnostics diagnostics) {
     this.activity = activity;
     this.model = model;
     this.suite = suite;
@@ -160,7 +159,8 @@ public final class HarnessPlanner {
             null);
     return steps == null
         ? plan
-        : new SequencePlanner(activity, model, steps, suite, diagnostics).plan(plan, targets);
+        : new SequencePlanner(activity, model, steps, suite, required, diagnostics)
+            .plan(plan, targets);
   }
 
   /** The method under test, or those of the calls of a sequence. */
@@ -214,7 +214,8 @@ public final class HarnessPlanner {
             : Double.POSITIVE_INFINITY);
   }
 
-  private @Nullable World world() {
+  /** The world with the parameters that the suite sets; null if the activity has none. */
+  @Nullable World world() {
     WorldDescription description = activity.world();
     List<World.Setting> settings = new ArrayList<>();
     for (CaseParameter parameter : suite.parameters()) {

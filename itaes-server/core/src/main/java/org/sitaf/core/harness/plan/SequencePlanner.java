@@ -2,17 +2,21 @@ package org.sitaf.core.harness.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.TargetMethod;
 import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.plan.HarnessPlan.CallStep;
 import org.sitaf.core.harness.plan.HarnessPlan.EventStep;
 import org.sitaf.core.harness.plan.HarnessPlan.Given;
 import org.sitaf.core.harness.plan.HarnessPlan.Sequence;
+import org.sitaf.core.harness.plan.HarnessPlan.Stub;
 import org.sitaf.core.harness.plan.HarnessPlan.World;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.InputKind;
@@ -21,6 +25,8 @@ import org.sitaf.core.model.sequence.SequenceCall;
 import org.sitaf.core.model.sequence.SequenceEvent;
 import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
 
 /** Plans the steps of a sequence. Each call is planned as the call of a plain model is. */
@@ -29,15 +35,24 @@ final class SequencePlanner {
   private final TestModel model;
   private final SequenceSpec steps;
   private final TestSuite suite;
+  private final List<InterfaceDescription> required;
   private final Diagnostics diagnostics;
 
+  /** The names of errors in answers. */
+  private final SortedSet<String> errors = new TreeSet<>();
+
+  /**
+   * @param required the required interfaces, with simple names of exceptions
+   */
   SequencePlanner(
       Activity activity,
       TestModel model,
       SequenceSpec steps,
       TestSuite suite,
+      List<InterfaceDescription> required,
       Diagnostics diagnostics) {
     this.activity = activity;
+    this.required = required;
     this.model = model;
     this.steps = steps;
     this.suite = suite;
@@ -61,21 +76,6 @@ final class SequencePlanner {
 
   private void refuseUnsupported() {
     refuseThreads();
-    for (SequenceCall call : steps.calls()) {
-      for (InputElement input : call.model().inputs()) {
-        if (input.kind() != InputKind.TDI) {
-          problem(
-              call.line(),
-              "call " + call.name(),
-              "test_element "
-                  + input.name()
-                  + " is a "
-                  + input.kind()
-                  + "; a call takes only TDI. Move it to the input_spec_list of the model, where it"
-                  + " holds from the start, or change the world by an event");
-        }
-      }
-    }
     if (model.timing() != null) {
       problem(steps.line(), "sequence_spec", "repeated calls (timing) are not supported");
     }
@@ -107,18 +107,15 @@ final class SequencePlanner {
 
   private CallStep call(HarnessPlan whole, SequenceCall call, TargetMethod target) {
     TestModel called = call.model();
-    TestSuite values =
-        new TestSuite(
-            suite.name(),
-            "",
-            suite.modelName(),
-            suite.generation(),
-            called.inputs().stream()
-                .filter(i -> i.kind() == InputKind.TDI)
-                .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
-                .toList(),
-            List.of());
-    World world = whole.world();
+    TestSuite values = valuesOf(call);
+    Diagnostics own = new Diagnostics();
+    World world = new HarnessPlanner(activity, called, values, own).world();
+    List<Stub> stubs = List.of();
+    if (called.inputs().stream().anyMatch(i -> i.kind() == InputKind.TDTS)) {
+      StubPlanner planner = new StubPlanner(required, called, values, own);
+      stubs = planner.plan();
+      errors.addAll(planner.errors());
+    }
     HarnessPlan plan =
         new HarnessPlan(
             whole.modelName(),
@@ -126,13 +123,10 @@ final class SequencePlanner {
             target.declaring().name(),
             target.method(),
             whole.component(),
-            new ArgumentPlanner(target, called, values, diagnostics).plan(),
-            new OutputPlanner(target.method(), called, activity, diagnostics).plan(),
-            world == null
-                ? null
-                : new World(
-                    world.path(), List.of(), called.target().settle(), called.target().runFor()),
-            List.of(),
+            new ArgumentPlanner(target, called, values, own).plan(),
+            new OutputPlanner(target.method(), called, activity, own).plan(),
+            world,
+            stubs,
             List.of(),
             whole.provided(),
             whole.types(),
@@ -140,7 +134,41 @@ final class SequencePlanner {
             whole.limits(),
             List.of(),
             null);
+    own.all().forEach(d -> diagnostics.addAll(List.of(at(call, d))));
     return new CallStep(call.name(), plan, call.overlap());
+  }
+
+  /** What has no line of its own is reported at the call. */
+  private static Diagnostic at(SequenceCall call, Diagnostic problem) {
+    return problem.line() > 0
+        ? problem
+        : new Diagnostic(
+            problem.severity(),
+            problem.file(),
+            call.line(),
+            "call " + call.name() + "/" + problem.element(),
+            problem.message());
+  }
+
+  /** The values of a call in all cases, as a suite of single calls. */
+  private TestSuite valuesOf(SequenceCall call) {
+    List<TestCase> used = new ArrayList<>();
+    for (TestCase testCase : suite.cases()) {
+      for (TestStep step : testCase.steps()) {
+        if (step.name().equals(call.name())) {
+          used.add(new TestCase(used.size() + 1, step.valid(), step.values(), List.of()));
+        }
+      }
+    }
+    return new TestSuite(
+        suite.name(),
+        "",
+        suite.modelName(),
+        suite.generation(),
+        call.model().inputs().stream()
+            .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
+            .toList(),
+        used);
   }
 
   private EventStep event(SequenceEvent event) {
@@ -226,7 +254,8 @@ final class SequencePlanner {
         .orElse(new DataType.Unknown(column.realType()));
   }
 
-  private static HarnessPlan with(HarnessPlan whole, @Nullable Sequence sequence) {
+  private HarnessPlan with(HarnessPlan whole, Sequence sequence) {
+    errors.addAll(whole.errors());
     return new HarnessPlan(
         whole.modelName(),
         whole.description(),
@@ -240,7 +269,7 @@ final class SequencePlanner {
         whole.before(),
         whole.provided(),
         whole.types(),
-        whole.errors(),
+        List.copyOf(errors),
         whole.limits(),
         whole.watched(),
         sequence);

@@ -204,7 +204,7 @@ final class StubPlanner {
           errors.add(answer.error());
         }
       } catch (IllegalArgumentException e) {
-        problem(column, "case " + testCase.no() + ": " + e.getMessage());
+        problem(column, String.valueOf(e.getMessage()));
         return false;
       }
     }

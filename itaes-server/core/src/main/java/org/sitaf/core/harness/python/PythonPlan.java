@@ -34,12 +34,14 @@ record PythonPlan(
    * A step of a sequence.
    *
    * @param method name of the driver's method that executes it
+   * @param prepare name of the test stub's method that sets the answers of a call
    * @param call the plan of a call; null for an event
    * @param event null for a call
    */
   record Step(
       String name,
       String method,
+      String prepare,
       @Nullable PythonPlan call,
       HarnessPlan.@Nullable EventStep event) {}
 

@@ -77,11 +77,12 @@ final class PythonPlanner {
     for (HarnessPlan.CallStep step : sequence.calls()) {
       String suffix = methods.local(step.name());
       PythonPlan call = new PythonPlanner(step.call(), diagnostics).plan("call_" + suffix);
-      steps.add(new PythonPlan.Step(step.name(), "step_" + suffix, call, null));
+      steps.add(
+          new PythonPlan.Step(step.name(), "step_" + suffix, "prepare_" + suffix, call, null));
     }
     for (HarnessPlan.EventStep step : sequence.events()) {
       String suffix = methods.local(step.name());
-      steps.add(new PythonPlan.Step(step.name(), "event_" + suffix, null, step));
+      steps.add(new PythonPlan.Step(step.name(), "event_" + suffix, "", null, step));
     }
     return steps;
   }

@@ -48,12 +48,20 @@ record SequenceDriverView(
       String step,
       String method,
       List<String> reads,
+      List<String> settings,
       @Nullable String settle,
+      List<String> faults,
+      @Nullable String answers,
       @Nullable String runFor,
       boolean nonblocking,
       String call,
       String outcome,
-      List<String> outputs) {}
+      List<String> outputs) {
+    /** Whether the step changes the world. */
+    boolean sets() {
+      return !settings.isEmpty() || !faults.isEmpty();
+    }
+  }
 
   /** The method of an event. */
   record Event(String step, String parameter, String method, String statement) {}
@@ -141,9 +149,17 @@ record SequenceDriverView(
         PythonText.plain(step.name()),
         step.method(),
         TestDriverView.reads(plan),
+        settings(plan, false),
         world == null || world.settle().isZero()
             ? null
             : SimulationControlView.seconds(world.settle()),
+        settings(plan, true),
+        plan.answers().isEmpty()
+            ? null
+            : PythonText.list(
+                "self.test_stub." + step.prepare() + "(",
+                plan.answers().stream().map(Answer::local).toList(),
+                ")"),
         world == null || world.runFor().isZero()
             ? null
             : SimulationControlView.seconds(world.runFor()),
@@ -151,6 +167,19 @@ record SequenceDriverView(
         TestDriverView.call(plan),
         TestDriverView.outcome(plan),
         plan.neutral().outputs().stream().map(o -> TestDriverView.output(plan, o)).toList());
+  }
+
+  /** Sets the parameters of the world, or the faults, which begin with the call. */
+  private static List<String> settings(PythonPlan plan, boolean faults) {
+    return plan.settings().stream()
+        .filter(s -> s.neutral().isFault() == faults)
+        .map(
+            s ->
+                PythonText.list(
+                    "self.simulation_control.set(",
+                    List.of(PythonText.string(s.neutral().name()), s.local()),
+                    ")"))
+        .toList();
   }
 
   private static Event event(PythonPlan.Step step, HarnessPlan.EventStep event) {

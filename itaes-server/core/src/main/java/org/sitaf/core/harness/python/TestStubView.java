@@ -1,7 +1,9 @@
 package org.sitaf.core.harness.python;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -19,7 +21,11 @@ record TestStubView(
     String errors,
     List<Interface> interfaces,
     String prepareDeclaration,
-    List<String> settings) {
+    List<String> settings,
+    List<StepAnswers> steps) {
+
+  /** The method that sets the answers of a step. */
+  record StepAnswers(String step, String declaration, List<String> settings) {}
 
   /** A stubbed interface. */
   record Interface(
@@ -45,17 +51,71 @@ record TestStubView(
             plan.neutral().errors().stream().map(e -> PythonText.string(e) + ": " + e).toList(),
             "}"),
         plan.stubs().stream().map(TestStubView::answering).toList(),
-        PythonText.list(
-            "def prepare(",
-            Stream.concat(
-                    Stream.of("self"), plan.answers().stream().map(a -> a.local() + ": " + hint(a)))
-                .toList(),
-            ") -> None:"),
-        settings);
+        prepare("prepare", plan),
+        settings,
+        steps(plan));
+  }
+
+  private static String prepare(String name, PythonPlan plan) {
+    return PythonText.list(
+        "def " + name + "(",
+        Stream.concat(
+                Stream.of("self"), plan.answers().stream().map(a -> a.local() + ": " + hint(a)))
+            .toList(),
+        ") -> None:");
+  }
+
+  private static List<StepAnswers> steps(PythonPlan plan) {
+    List<StepAnswers> steps = new ArrayList<>();
+    for (PythonPlan.Step step : plan.steps()) {
+      PythonPlan call = step.call();
+      if (call != null && !call.answers().isEmpty()) {
+        List<String> settings = new ArrayList<>();
+        for (Stub stub : call.stubs()) {
+          String field =
+              plan.stubs().stream()
+                  .filter(s -> s.name().equals(stub.name()))
+                  .map(Stub::field)
+                  .findFirst()
+                  .orElse(stub.field());
+          stub.methods().forEach(m -> settings.addAll(replacing(field, m)));
+        }
+        steps.add(
+            new StepAnswers(
+                PythonText.plain(step.name()), prepare(step.prepare(), call), settings));
+      }
+    }
+    return steps;
+  }
+
+  /** Replaces the answers for the return value and for each out-parameter that has one. */
+  private static List<String> replacing(String field, StubMethod method) {
+    Map<String, List<String>> byPart = new LinkedHashMap<>();
+    for (Answer answer : method.answers()) {
+      Parameter parameter = answer.neutral().parameter();
+      byPart
+          .computeIfAbsent(parameter == null ? "" : parameter.name(), part -> new ArrayList<>())
+          .add(answer.neutral().fromCall() + ": " + answer.local());
+    }
+    List<String> statements = new ArrayList<>();
+    byPart.forEach(
+        (part, answers) -> {
+          List<String> arguments = new ArrayList<>();
+          arguments.add("{" + String.join(", ", answers) + "}");
+          if (!part.isEmpty()) {
+            arguments.add("out=" + PythonText.string(part));
+          }
+          statements.add(
+              PythonText.list(
+                  "self." + field + "." + method.field() + ".replace(", arguments, ")"));
+        });
+    return statements;
   }
 
   private static boolean hasErrors(PythonPlan plan) {
-    return plan.answers().stream().anyMatch(a -> !a.neutral().plain());
+    return Stream.concat(Stream.of(plan), plan.calls().stream())
+        .flatMap(p -> p.answers().stream())
+        .anyMatch(a -> !a.neutral().plain());
   }
 
   private static String hint(Answer answer) {

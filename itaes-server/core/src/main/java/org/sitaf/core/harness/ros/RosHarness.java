@@ -139,7 +139,7 @@ public final class RosHarness {
     plan.put("run_for", model.target().runFor().toNanos() / NANOS);
     plan.put("case_sim_s", activity.profile().limits().caseSimulation().toNanos() / NANOS);
     plan.put("world", activity.world() != null);
-    plan.put("settings", settings(suite));
+    plan.put("settings", settings(suite.parameters()));
     if (sequence == null) {
       plan.put(
           "inputs",
@@ -150,7 +150,7 @@ public final class RosHarness {
                   .toList()));
     }
     plan.put("required", required(activity));
-    plan.put("answers", answers(suite));
+    plan.put("answers", answers(suite.parameters()));
     plan.put("parameters", parameters(suite));
     if (sequence == null) {
       plan.put("outputs", outputs(model));
@@ -263,8 +263,9 @@ public final class RosHarness {
             + target.declaring().source());
   }
 
-  private static List<String> settings(TestSuite suite) {
-    return suite.parameters().stream()
+  /** The parameters of the world, and faults of its devices, among these inputs (TDSD). */
+  static List<String> settings(List<CaseParameter> inputs) {
+    return inputs.stream()
         .filter(p -> p.kind() == InputKind.TDSD)
         .map(CaseParameter::name)
         .filter(name -> !name.equals(RosElements.CALLBACK_ORDER))
@@ -307,10 +308,10 @@ public final class RosHarness {
     return required;
   }
 
-  /** The answers of required services and actions (TDTS). */
-  private static List<Object> answers(TestSuite suite) {
+  /** The answers of required services and actions among these inputs (TDTS). */
+  static List<Object> answers(List<CaseParameter> inputs) {
     List<Object> answers = new ArrayList<>();
-    for (CaseParameter parameter : suite.parameters()) {
+    for (CaseParameter parameter : inputs) {
       Matcher name = ANSWER.matcher(parameter.name());
       if (parameter.kind() == InputKind.TDTS && name.matches()) {
         Map<String, Object> entry = new LinkedHashMap<>();

@@ -1,6 +1,5 @@
 package org.sitaf.core.harness.ros;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,6 +17,7 @@ import org.sitaf.core.model.Value;
 import org.sitaf.core.model.sequence.SequenceCall;
 import org.sitaf.core.model.sequence.SequenceEvent;
 import org.sitaf.core.model.sequence.SequenceSpec;
+import org.sitaf.core.suite.CaseParameter;
 
 /** Plans the steps of a sequence of a ROS 2 node: its calls, and the events of its world. */
 final class RosSteps {
@@ -99,7 +99,7 @@ final class RosSteps {
     List<Parameter> lines = Objects.requireNonNull(activity.ros()).lines();
     for (InputElement input : called.inputs()) {
       boolean isLine = lines.stream().anyMatch(l -> l.name().equals(MemberPath.root(input.name())));
-      if (input.kind() != InputKind.TDI
+      if (input.name().equals(RosElements.CALLBACK_ORDER)
           || input.name().startsWith(RosElements.PARAMETER)
           || isLine) {
         problem(
@@ -115,9 +115,19 @@ final class RosSteps {
     entry.put("target", RosHarness.target(activity, called));
     entry.put("settle", called.target().settle().toNanos() / NANOS);
     entry.put("run_for", called.target().runFor().toNanos() / NANOS);
-    List<String> names = new ArrayList<>();
-    called.inputs().forEach(i -> names.add(i.name()));
-    entry.put("inputs", RosHarness.inputs(names));
+    List<CaseParameter> inputs =
+        called.inputs().stream()
+            .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
+            .toList();
+    entry.put(
+        "inputs",
+        RosHarness.inputs(
+            inputs.stream()
+                .filter(i -> i.kind() == InputKind.TDI)
+                .map(CaseParameter::name)
+                .toList()));
+    entry.put("settings", RosHarness.settings(inputs));
+    entry.put("answers", RosHarness.answers(inputs));
     entry.put("outputs", RosHarness.outputs(called));
     return entry;
   }

@@ -100,8 +100,9 @@ public record JavaPlan(
      * A parameter of the world that the suite sets (TDSD).
      *
      * @param documentation unit and range, safe for a comment
+     * @param fault whether it is a fault of a device
      */
-    public record Setting(String name, String local, String documentation) {}
+    public record Setting(String name, String local, String documentation, boolean fault) {}
   }
 
   /**
@@ -189,12 +190,18 @@ public record JavaPlan(
    * A step of a sequence.
    *
    * @param method name of the driver's method that executes it
+   * @param prepare name of the test stub's method that sets the answers of a call
    * @param call the plan of a call; null for an event
    * @param parameter what an event sets; empty for a call
    * @param value of the parameter
    */
   public record Step(
-      String name, String method, @Nullable JavaPlan call, String parameter, double value) {}
+      String name,
+      String method,
+      String prepare,
+      @Nullable JavaPlan call,
+      String parameter,
+      double value) {}
 
   /** Whether a case is a sequence of steps. */
   public boolean isSequence() {

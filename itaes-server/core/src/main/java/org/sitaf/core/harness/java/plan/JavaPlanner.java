@@ -139,12 +139,13 @@ public final class JavaPlanner {
     for (HarnessPlan.CallStep step : sequence.calls()) {
       String suffix = Words.raised(methods.local(step.name()));
       JavaPlan call = new JavaPlanner(step.call(), "call" + suffix, diagnostics).plan();
-      steps.add(new JavaPlan.Step(step.name(), "step" + suffix, call, "", 0));
+      steps.add(new JavaPlan.Step(step.name(), "step" + suffix, "prepare" + suffix, call, "", 0));
     }
     for (HarnessPlan.EventStep step : sequence.events()) {
       String suffix = Words.raised(methods.local(step.name()));
       steps.add(
-          new JavaPlan.Step(step.name(), "event" + suffix, null, step.parameter(), step.value()));
+          new JavaPlan.Step(
+              step.name(), "event" + suffix, "", null, step.parameter(), step.value()));
     }
     return steps;
   }
@@ -254,7 +255,8 @@ public final class JavaPlanner {
                                 + ", from "
                                 + s.min()
                                 + " to "
-                                + s.max()))
+                                + s.max(),
+                            s.isFault()))
                 .toList(),
             world.settle(),
             world.runFor());
