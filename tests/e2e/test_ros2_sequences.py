@@ -228,20 +228,30 @@ def test_a_call_replaces_the_answers_of_a_required_service(sitaf, tmp_path):
             <output_spec_list><test_element abstract_type="BOOLEAN" real_type="boolean"><name>answer.data</name>
               <type>OUT</type><expected>std_srvs.Trigger.success</expected></test_element></output_spec_list>
           </call>
-          <call name="StartAsBefore" method="start" run_for="0.1">
+          <call name="StartReady" method="start" run_for="0.1"><guard>ready</guard>
             <output_spec_list><test_element abstract_type="BOOLEAN" real_type="boolean"><name>answer.data</name>
-              <type>OUT</type><expected>ready</expected></test_element></output_spec_list>
+              <type>OUT</type><expected>true</expected></test_element></output_spec_list>
+          </call>
+          <call name="StartUnready" method="start" run_for="0.1"><guard>!ready</guard>
+            <output_spec_list><test_element abstract_type="BOOLEAN" real_type="boolean"><name>answer.data</name>
+              <type>OUT</type><expected>false</expected></test_element></output_spec_list>
           </call>
         </sequence_spec>
         <order_of_combinations>1</order_of_combinations></test_model>"""
     )
     run = sitaf("run", folder, "--result", tmp_path / "result")
     assert run.returncode == 0, run.stdout + run.stderr
-    for name in ("Start", "StartAsBefore"):
-        answers = {
-            step.findtext("actual")
-            for case in cases_of(tmp_path / "result", "Asking")
-            for step in case.findall("step")
-            if step.get("name") == name
-        }
-        assert answers == {"true", "false"}
+    steps = [
+        step
+        for case in cases_of(tmp_path / "result", "Asking")
+        for step in case.findall("step")
+    ]
+    # Calls without an answer of their own get the one of the call before.
+    assert {
+        (name, step.findtext("actual")) for step in steps if (name := step.get("name"))
+    } == {
+        ("Start", "true"),
+        ("Start", "false"),
+        ("StartReady", "true"),
+        ("StartUnready", "false"),
+    }

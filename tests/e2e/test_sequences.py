@@ -99,7 +99,9 @@ def guard_in(sitaf, language, folder):
     if language != "python":
         shutil.rmtree(activity / "component")
         shutil.copytree(PARTS / "guard" / language, activity / "component")
-        name = {"java": "robot.CollisionGuard", "cpp": "robot::CollisionGuard"}[language]
+        name = {"java": "robot.CollisionGuard", "cpp": "robot::CollisionGuard"}[
+            language
+        ]
         profile = (activity / "activity.yaml").read_text()
         profile = profile.replace("language: python", f"language: {language}")
         profile = profile.replace("collision_guard.CollisionGuard", name)
