@@ -1,8 +1,10 @@
-import { Checkbox, Select, Stack, Text } from '@mantine/core';
+import { Checkbox, NativeSelect, Stack, Text } from '@mantine/core';
 import { Section, UserText } from '@/shared/ui';
 import { argumentsOf, isPartOfFault, type Candidate, type Description } from '../defaults';
 import { INPUT_KINDS, type InputDraft, type SequenceDraft } from '../document';
 import { methodOf, methodsOf, surroundingsOf } from './defaults';
+
+const ADD = 'Add a parameter of the world, a fault or an answer of a stub';
 
 interface CallInputsProps {
   description: Description;
@@ -66,16 +68,15 @@ export function CallInputs({ description, interfaceName, sequence, onChange }: C
                 />
               ))}
               {further.length > 0 && (
-                <Select
+                <NativeSelect
                   aria-label={`Add to the inputs of ${call.name}`}
-                  placeholder="Add a parameter of the world, a fault or an answer of a stub"
                   description="Set when the call begins, and kept until another step sets it"
                   inputWrapperOrder={['input', 'description']}
-                  data={grouped(further)}
-                  value={null}
-                  searchable
+                  data={[{ value: '', label: ADD }, ...grouped(further)]}
+                  value=""
                   maw="32rem"
-                  onChange={(name) => {
+                  onChange={(event) => {
+                    const name = event.currentTarget.value;
                     const chosen = further.find(({ input }) => input.name === name);
                     if (chosen) toggle(index, chosen.input, true);
                   }}
