@@ -10,6 +10,37 @@ import pytest
 from needs import cpp
 
 PARTS = Path(__file__).parent / "languages"
+# The second check gets the second answer of the first one; each first check begins to count again.
+COUNTING = """\
+<test_model>
+  <name>Counting</name>
+  <target interface="CollisionGuardService"/>
+  <input_spec_list/>
+  <sequence_spec length="5" order="3">
+    <state name="checks" type="int" initial="-1"/>
+    <call name="Arm"><guard>checks &lt; 0</guard><update state="checks">0</update></call>
+    <call name="First" method="Check">
+      <guard>checks &gt;= 0</guard>
+      <update state="checks">1</update>
+      <input_spec_list>
+        <test_element abstract_type="NUMERIC" real_type="double"><name>Battery.Level</name><type>TDTS</type>
+          <user_value_list><value>0.9</value></user_value_list></test_element>
+        <test_element abstract_type="NUMERIC" real_type="double"><name>Battery.Level#2</name><type>TDTS</type>
+          <user_value_list><value>!error:NoContact</value></user_value_list></test_element>
+      </input_spec_list>
+      <output_spec_list><test_element abstract_type="STRING" real_type="string"><name>return</name>
+        <type>RETURN</type><expected>'CLEAR'</expected></test_element></output_spec_list>
+    </call>
+    <call name="Second" method="Check">
+      <guard>checks &gt; 0</guard>
+      <update state="checks">2</update>
+      <output_spec_list><test_element abstract_type="STRING" real_type="string"><name>return</name>
+        <type>RETURN</type><expected>'LOW'</expected></test_element></output_spec_list>
+    </call>
+  </sequence_spec>
+  <order_of_combinations>1</order_of_combinations>
+</test_model>
+"""
 COMPONENTS = {
     "java": "ir-sensor-states",
     "cpp": "ir-sensor-cpp",
@@ -112,8 +143,14 @@ def guard_in(sitaf, language, folder):
 @pytest.mark.parametrize("language", ["java", pytest.param("cpp", marks=cpp), "python"])
 def test_each_call_sets_the_world_and_the_answers_of_stubs(sitaf, language, tmp_path):
     activity = guard_in(sitaf, language, tmp_path / "activity")
+    (activity / "Counting.xml").write_text(COUNTING)
+    profile = activity / "activity.yaml"
+    profile.write_text(
+        profile.read_text().replace("[Watching.xml]", "[Watching.xml, Counting.xml]")
+    )
     run = sitaf("run", activity, "--result", tmp_path / "result")
     assert run.returncode == 0, run.stdout + run.stderr
+    assert "Counting: " in run.stdout
     cases = ElementTree.parse(tmp_path / "result" / "Watching.xml").findall(
         "test_result_list/test_result"
     )
@@ -221,6 +258,13 @@ def test_a_release_of_a_package_that_resumes_wrongly_fails_at_its_step(sitaf):
         r"step \d+ \(Resume\): visited: expected 1, but was 2", run.stdout
     ), run.stdout
     assert ", 0 ERROR," in run.stdout
+
+
+def test_known_faults_in_the_state_of_packages_are_found(sitaf):
+    run = sitaf("bench", "states", "--short")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "every fault found, and its step named" in run.stdout
+    assert "RemoveOnce" in run.stdout
 
 
 def test_compare_names_the_first_step_that_differs(sitaf, tmp_path):

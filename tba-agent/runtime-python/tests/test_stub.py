@@ -19,6 +19,20 @@ def test_an_answer_applies_until_the_next_one():
     assert [c.arguments for c in calls.calls][1:] == [{"bearing": f"{b}.0"} for b in (1, 2, 3, 4)]
 
 
+def test_replaced_answers_count_the_calls_from_then_on():
+    method = StubbedMethod(Stubbing(Stopwatch()), "I.M", INT32, {}, {"left": INT32})
+    method.answer(1)
+    method.answer(2, from_call=3)
+    method.answer(7, out="left")
+    assert [method.call() for _ in range(3)] == [(1, 7), (1, 7), (2, 7)]
+    method.replace({1: 4, 2: 5})
+    assert [method.call() for _ in range(3)] == [(4, 7), (5, 7), (5, 7)]
+    method.replace({2: 8}, out="left")
+    assert [method.call() for _ in range(2)] == [(5, 0), (5, 8)]
+    method.reset()
+    assert method.call() == (0, 0)
+
+
 def test_errors_are_raised_and_delays_count_as_time_in_stubs():
     watch = Stopwatch()
     kind = answer(INT32, {"NoEcho": RuntimeError})
