@@ -3,6 +3,7 @@ package org.sitaf.server.git;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Random;
@@ -134,6 +135,24 @@ class GitStoryTest extends GitStory {
     assertThat(good.get("base").asString())
         .as("the nearest commit that could be built")
         .isEqualTo(commits(activity).get(4).get("sha").asString());
+  }
+
+  @Test
+  void aCommitThatNeedsRealDevicesIsNotBuilt() {
+    repository.commit("One");
+    String activity = create("");
+    String profile =
+        new String(Activities.files().get("activity.yaml"), StandardCharsets.UTF_8).stripTrailing();
+    repository.write(
+        FOLDER + "/activity.yaml", profile + "\nhardware: {ir7: {backend: provider}}\n");
+    String real = repository.commit("Use a real device");
+    fetch(activity);
+    // Nobody with the role has requested it.
+    assertThat(await(activity, real, "INVALID").get("problem").asString())
+        .contains("uses real devices (ir7)")
+        .contains("the role OPERATOR");
+    assertThat(get("/api/v1/builds?size=500").get("items"))
+        .noneMatch(b -> b.path("commit").path("sha").asString("").equals(real));
   }
 
   @Test
