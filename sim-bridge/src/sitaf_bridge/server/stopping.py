@@ -6,9 +6,11 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from queue import SimpleQueue
+from contextlib import suppress
+from queue import Empty, SimpleQueue
 
 PARENT_POLL_S = 0.5
+WAKE_S = 1.0
 
 
 class StopSignal:
@@ -46,7 +48,11 @@ class StopSignal:
 
     def wait(self) -> None:
         """Wait for one of these events."""
-        self._ended.get()
+        while True:
+            # Handlers run in this thread, but a signal that arrives just before it blocks does not wake it.
+            with suppress(Empty):
+                self._ended.get(timeout=WAKE_S)
+                return
 
     def _watch(self, wait: Callable[[], None], name: str) -> None:
         def watch() -> None:
