@@ -11,16 +11,16 @@ class Light(StateMachine):
     stop = green.to(red)
     go = red.to(green)
 
-    def __init__(self, name: str, told: list[str]) -> None:
+    def __init__(self, name: str, notified: list[str]) -> None:
         self._name = name
-        self._told = told
+        self._notified = notified
         super().__init__()
 
     def on_exit_green(self) -> None:
-        self._told.append(self._name)
+        self._notified.append(self._name)
 
     def on_exit_red(self) -> None:
-        self._told.append(self._name)
+        self._notified.append(self._name)
 
     def switch(self) -> None:
         """Change to the other colour."""
@@ -34,11 +34,11 @@ class Lights:
     """One light, and later two."""
 
     def __init__(self) -> None:
-        self._told: list[str] = []
-        self._lights = [Light("first", self._told)]
+        self._notified: list[str] = []
+        self._lights = [Light("first", self._notified)]
 
     def add_second(self) -> None:
-        self._lights.append(Light("second", self._told))
+        self._lights.append(Light("second", self._notified))
 
     def switch_first(self) -> str:
         return self._switch(0)
@@ -47,6 +47,6 @@ class Lights:
         return self._switch(1)
 
     def _switch(self, index: int) -> str:
-        self._told.clear()
+        self._notified.clear()
         self._lights[index].switch()
-        return " ".join(self._told)
+        return " ".join(self._notified)

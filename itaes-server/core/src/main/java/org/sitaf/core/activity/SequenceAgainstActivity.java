@@ -44,16 +44,7 @@ final class SequenceAgainstActivity {
     Set<Diagnostic> seen = new HashSet<>();
     for (SequenceCall call : sequence.calls()) {
       for (Diagnostic problem : ofCall.apply(call.model())) {
-        // What has no line of its own is reported at the call.
-        Diagnostic located =
-            problem.line() > 0
-                ? problem
-                : new Diagnostic(
-                    problem.severity(),
-                    problem.file(),
-                    call.line(),
-                    "call " + call.name() + "/" + problem.element(),
-                    problem.message());
+        Diagnostic located = problem.orAt(call.line(), "call " + call.name());
         if (seen.add(located)) {
           diagnostics.addAll(List.of(located));
         }

@@ -34,6 +34,18 @@ public record Diagnostic(Severity severity, String file, int line, String elemen
     return new Diagnostic(Severity.WARNING, file, line, element, message);
   }
 
+  /**
+   * This diagnostic, or one at a line and below an element if it has no line of its own.
+   *
+   * @param otherwise line in the document, from 1; 0 if unknown
+   * @param parent the element that contains the affected one
+   */
+  public Diagnostic orAt(int otherwise, String parent) {
+    return line > 0
+        ? this
+        : new Diagnostic(severity, file, otherwise, parent + "/" + element, message);
+  }
+
   /** Returns the format of compilers: {@code file:line: error: element: message}. */
   @Override
   public String toString() {

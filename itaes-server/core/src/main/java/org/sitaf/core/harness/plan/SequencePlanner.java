@@ -10,7 +10,6 @@ import org.sitaf.core.activity.TargetMethod;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.WorldDescription;
-import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.plan.HarnessPlan.CallStep;
 import org.sitaf.core.harness.plan.HarnessPlan.EventStep;
@@ -134,20 +133,9 @@ final class SequencePlanner {
             whole.limits(),
             List.of(),
             null);
-    own.all().forEach(d -> diagnostics.addAll(List.of(at(call, d))));
+    String where = "call " + call.name();
+    diagnostics.addAll(own.all().stream().map(d -> d.orAt(call.line(), where)).toList());
     return new CallStep(call.name(), plan, call.overlap());
-  }
-
-  /** What has no line of its own is reported at the call. */
-  private static Diagnostic at(SequenceCall call, Diagnostic problem) {
-    return problem.line() > 0
-        ? problem
-        : new Diagnostic(
-            problem.severity(),
-            problem.file(),
-            call.line(),
-            "call " + call.name() + "/" + problem.element(),
-            problem.message());
   }
 
   /** The values of a call in all cases, as a suite of single calls. */
