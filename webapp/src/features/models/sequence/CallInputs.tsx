@@ -47,6 +47,12 @@ export function CallInputs({ description, interfaceName, sequence, onChange }: C
       {offered.every((inputs, index) => inputs.length + (around[index]?.length ?? 0) === 0) && (
         <Text c="dimmed">The calls have no inputs.</Text>
       )}
+      {around.some((further) => further.length > 0) && (
+        <Text size="sm" c="dimmed">
+          Parameters of the world, faults and answers of stubs are set when the call begins, and
+          kept until another step sets them.
+        </Text>
+      )}
       {calls.map((call, index) => {
         const inputs = offered[index] ?? [];
         const further = around[index] ?? [];
@@ -70,8 +76,6 @@ export function CallInputs({ description, interfaceName, sequence, onChange }: C
               {further.length > 0 && (
                 <NativeSelect
                   aria-label={`Add to the inputs of ${call.name}`}
-                  description="Set when the call begins, and kept until another step sets it"
-                  inputWrapperOrder={['input', 'description']}
                   data={[{ value: '', label: ADD }, ...grouped(further)]}
                   value=""
                   maw="32rem"
