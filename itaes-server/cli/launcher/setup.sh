@@ -82,8 +82,8 @@ keep_java() {
   mv "$state/java.begun" "$state/java.stamp"
 }
 
-# Copies the build output, so that later builds do not affect running programs, and creates archives for class data sharing:
-# they reduce the start-up time to a third.
+# Copies the build output, so that later builds do not affect running programs, and creates the archives for class data sharing
+# that need no simulation. They reduce the start-up time to a third.
 install_java() {
   set -e
   local new=$state/dist.new
@@ -94,11 +94,6 @@ install_java() {
   java -Djarmode=tools -jar "$home/itaes-server/app/target/sitaf-server.jar" extract --destination "$new/server"
   rm -rf "$state/dist"
   mv "$new" "$state/dist"
-  local server=$state/dist/server trial=$state/trial
-  rm -rf "$trial"
-  java -XX:ArchiveClassesAtExit="$server/server.jsa" -XX:TieredStopAtLevel=1 -Dspring.context.exit=onRefresh \
-    -jar "$server/sitaf-server.jar" --sitaf.data-directory="$trial" --server.port=0 --spring.grpc.server.port=0
-  rm -rf "$trial"
   java -XX:ArchiveClassesAtExit="$state/dist/cli/cli.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/cli/cli.jar" \
     generate "$home/examples/ir-sensor/GetInfraredData.xml"
   # Classes that each Java test application loads before its first case.
@@ -109,7 +104,42 @@ install_java() {
     -cp "$state/dist/agent/compiler-java/compiler-java.jar" org.sitaf.agent.toolchain.java.confined.CompilerMain \
     "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" "" --release 17 -g -nowarn -implicit:none -proc:none \
     </dev/null >/dev/null
-  java -XX:ArchiveClassesAtExit="$state/dist/agent/agent.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/agent/agent.jar" --help
+}
+
+# Creates the archives of the command line, the server and the agent. Without the simulation, only that of the server is possible.
+set_up_archives() {
+  newer_than "$state/archives.stamp" "$state/java.stamp" || return 0
+  locked
+  if newer_than "$state/archives.stamp" "$state/java.stamp"; then
+    touch "$state/archives.begun"
+    if [ -e "$state/bridge.stamp" ]; then
+      stage "Preparing fast starts" archives archive_dry_run
+      mv "$state/archives.begun" "$state/archives.stamp"
+    elif [ ! -e "$state/dist/server/server.jsa" ]; then
+      stage "Preparing fast starts" archives archive_start
+    fi
+  fi
+  unlocked
+}
+
+# Archives of what the programs load for an example. Without them they start slowly, but work.
+archive_dry_run() {
+  local dist=$state/dist
+  java -XX:ArchiveClassesAtExit="$dist/cli/cli.jsa.new" -XX:TieredStopAtLevel=1 -Dsitaf.home="$home" \
+    -cp "$dist/cli/cli.jar" org.sitaf.cli.system.DryRun || echo "the example could not be run"
+  for part in cli server agent; do
+    [ ! -e "$dist/$part/$part.jsa.new" ] || mv -f "$dist/$part/$part.jsa.new" "$dist/$part/$part.jsa"
+  done
+}
+
+# The archive of what the server loads to start.
+archive_start() {
+  set -e
+  local server=$state/dist/server trial=$state/trial
+  rm -rf "$trial"
+  java -XX:ArchiveClassesAtExit="$server/server.jsa" -XX:TieredStopAtLevel=1 -Dspring.context.exit=onRefresh \
+    -jar "$server/sitaf-server.jar" --sitaf.data-directory="$trial" --server.port=0 --spring.grpc.server.port=0
+  rm -rf "$trial"
 }
 
 set_up_bridge() {

@@ -140,6 +140,7 @@ fi
 locked
 keep_java
 unlocked
+set_up_archives
 
 [ ! -d "$compiled" ] || [ -d "$state/cache/cpp/runtime" ] || { mkdir -p "$state/cache/cpp/runtime" && cp -r "$compiled/." "$state/cache/cpp/runtime"; }
 await_alongside

@@ -16,6 +16,13 @@ import org.sitaf.core.diagnostic.InvalidInputException;
  */
 public record Installation(Path home) {
   private static final String HOME = "sitaf.home";
+
+  /**
+   * System property: whether started servers and agents write archives of the classes that they
+   * load, when they end.
+   */
+  public static final String ARCHIVING = "sitaf.archiving";
+
   private static final Pattern ROS_FILE = Pattern.compile("\\w/(?:srv|action)/\\w");
 
   /**
@@ -97,7 +104,9 @@ public record Installation(Path home) {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     Path archive = folder.resolve(part + ".jsa");
-    if (Files.exists(archive)) {
+    if (Boolean.getBoolean(ARCHIVING)) {
+      command.add("-XX:ArchiveClassesAtExit=" + archive + ".new");
+    } else if (Files.exists(archive)) {
       command.add("-XX:SharedArchiveFile=" + archive);
       command.add("-Xlog:disable");
       command.add("-Xlog:all=error:stderr");

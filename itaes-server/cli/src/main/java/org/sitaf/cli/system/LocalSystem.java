@@ -174,4 +174,11 @@ final class LocalSystem implements AutoCloseable {
     agent.close();
     server.close();
   }
+
+  /** Stops both at the same time, and kills each if it does not end within a limit. */
+  void close(Duration limit) {
+    agent.stop();
+    server.close(limit);
+    agent.close(limit);
+  }
 }

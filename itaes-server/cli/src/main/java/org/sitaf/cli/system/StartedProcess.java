@@ -143,13 +143,25 @@ final class StartedProcess implements AutoCloseable {
 
   @Override
   public void close() {
+    close(STOP_LIMIT);
+  }
+
+  /** Closes its standard input, and does not wait for its end. */
+  void stop() {
     try {
       process.getOutputStream().close();
-      if (!process.waitFor(STOP_LIMIT.toMillis(), TimeUnit.MILLISECONDS)) {
-        process.destroyForcibly();
-      }
     } catch (IOException e) {
       process.destroyForcibly();
+    }
+  }
+
+  /** Stops it, and kills it if it then runs longer than a limit. */
+  void close(Duration limit) {
+    stop();
+    try {
+      if (!process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
+        process.destroyForcibly();
+      }
     } catch (InterruptedException e) {
       process.destroyForcibly();
       Thread.currentThread().interrupt();

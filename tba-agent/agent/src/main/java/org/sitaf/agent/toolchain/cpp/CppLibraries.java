@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -159,7 +158,7 @@ record CppLibraries(
     Optional<String> known =
         List.of(parts.group(1), parts.group(1).replace('-', '_'), parts.group(1).replace('_', '-'))
             .stream()
-            .filter(name -> Tools.outputOf(List.of("pkg-config", "--exists", name)).isPresent())
+            .filter(name -> PkgConfig.version(name).isPresent())
             .findFirst();
     if (known.isEmpty()) {
       problems.add(
@@ -174,15 +173,15 @@ record CppLibraries(
                   + "-dev)"));
       return;
     }
-    String version = Tools.outputOf(List.of("pkg-config", "--modversion", known.get())).orElse("");
+    String version = PkgConfig.version(known.get()).orElse("");
     if (parts.group(2) != null && !parts.group(2).equals(version)) {
       problems.add(
           inProfile(
               entry + known.get() + " is here in version " + version + ", not " + parts.group(2)));
       return;
     }
-    compile.addAll(flags(known.get(), "--cflags"));
-    link.addAll(flags(known.get(), "--libs"));
+    compile.addAll(flags("--cflags", known.get()));
+    link.addAll(flags("--libs", known.get()));
   }
 
   /** Header folders in the flags. */
@@ -201,11 +200,8 @@ record CppLibraries(
     return folders;
   }
 
-  private static List<String> flags(String name, String which) {
-    return Arrays.stream(
-            Tools.outputOf(List.of("pkg-config", which, name)).orElse("").split("\\s+"))
-        .filter(word -> !word.isEmpty())
-        .toList();
+  private static List<String> flags(String which, String library) {
+    return PkgConfig.flags(which, List.of(library)).orElse(List.of());
   }
 
   /** Copies a shared library next to the program, under its file name and its SONAME. */

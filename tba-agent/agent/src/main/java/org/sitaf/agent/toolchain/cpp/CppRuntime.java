@@ -15,7 +15,6 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -94,9 +93,9 @@ final class CppRuntime {
   private String base() throws IOException {
     Digest digest = new Digest();
     digest.add(compiler.identity() + " " + Compiler.OPTIONS);
-    List<String> question = new ArrayList<>(List.of("pkg-config", "--modversion"));
-    question.addAll(LIBRARIES);
-    digest.add(Tools.outputOf(question).orElse("none"));
+    for (String library : LIBRARIES) {
+      digest.add(PkgConfig.version(library).orElse("none"));
+    }
     digest.addFolder(sources);
     return digest.hexadecimal();
   }
@@ -204,12 +203,13 @@ final class CppRuntime {
             "--plugin=protoc-gen-grpc=" + plugin,
             "sitaf/sim/v1/simulation.proto"));
     List<List<String>> commands = new ArrayList<>();
+    List<String> compileFlags = flags("--cflags");
     for (Path folder : List.of(sources.resolve("src"), generated)) {
       for (Path source : sourcesIn(folder)) {
         List<String> command = compilerCommand();
         command.addAll(
             List.of("-I", sources.resolve("src").toString(), "-I", generated.toString()));
-        command.addAll(flags("--cflags"));
+        command.addAll(compileFlags);
         command.addAll(List.of("-c", source.toString()));
         command.addAll(List.of("-o", objects.resolve(commands.size() + ".o").toString()));
         command.addAll(dependencyOptions(objects, commands.size()));
@@ -277,12 +277,8 @@ final class CppRuntime {
   }
 
   private static List<String> flags(String which) throws IOException {
-    List<String> question = new ArrayList<>(List.of("pkg-config", which));
-    question.addAll(LIBRARIES);
-    String answer =
-        Tools.outputOf(question)
-            .orElseThrow(() -> new IOException("pkg-config does not know all of " + LIBRARIES));
-    return Arrays.stream(answer.split("\\s+")).filter(word -> !word.isEmpty()).toList();
+    return PkgConfig.flags(which, LIBRARIES)
+        .orElseThrow(() -> new IOException("pkg-config does not know all of " + LIBRARIES));
   }
 
   private static List<Path> sourcesIn(Path folder) throws IOException {

@@ -50,14 +50,14 @@ public final class CppToolchain implements Toolchain {
               "set " + CHOICE + " to a C++ compiler, or unset it");
     }
     List<String> missing = new ArrayList<>();
-    for (String tool : List.of("pkg-config", "protoc", "grpc_cpp_plugin")) {
+    for (String tool : List.of(PkgConfig.PROGRAM, "protoc", "grpc_cpp_plugin")) {
       if (Tools.find(tool).isEmpty()) {
         missing.add(tool);
       }
     }
     if (missing.isEmpty()) {
       for (String library : CppRuntime.LIBRARIES) {
-        if (Tools.outputOf(List.of("pkg-config", "--modversion", library)).isEmpty()) {
+        if (PkgConfig.version(library).isEmpty()) {
           missing.add("the library " + library);
         }
       }
