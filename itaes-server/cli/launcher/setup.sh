@@ -96,14 +96,7 @@ install_java() {
   mv "$new" "$state/dist"
   java -XX:ArchiveClassesAtExit="$state/dist/cli/cli.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/cli/cli.jar" \
     generate "$home/examples/ir-sensor/GetInfraredData.xml"
-  # Classes that each Java test application loads before its first case.
-  java -XX:ArchiveClassesAtExit="$state/dist/agent/runtime-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
-    -cp "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" org.sitaf.runtime.DryRun
-  # Classes that the Java compiler process loads before its first request; it ends without one.
-  java -XX:ArchiveClassesAtExit="$state/dist/agent/compiler-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
-    -cp "$state/dist/agent/compiler-java/compiler-java.jar" org.sitaf.agent.toolchain.java.confined.CompilerMain \
-    "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" "" --release 17 -g -nowarn -implicit:none -proc:none \
-    </dev/null >/dev/null
+  "$home/tba-agent/agent/archive-runtimes.sh" "$state/dist/agent"
 }
 
 # Creates the archives of the command line, the server and the agent. Without the simulation, only that of the server is possible.

@@ -152,6 +152,7 @@ if ! "$python" -c 'import dateutil, playwright, pydantic, pymodbus, schemathesis
     pydantic==2.14.3 python-dateutil==2.9.0.post0 urllib3==2.8.0 pymodbus==3.16.1
 fi
 
+# Three files at a time on two processors, because many tests wait.
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
-(tests_of across "$home/tests" -n 2 --dist loadfile --no-loadscope-reorder --durations 12) || failed+=("Across rooms")
+(tests_of across "$home/tests" -n 3 --dist loadfile --no-loadscope-reorder --durations 12) || failed+=("Across rooms")
 end
