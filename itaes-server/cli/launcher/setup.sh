@@ -102,6 +102,8 @@ install_java() {
 # Creates the archives of the command line, the server and the agent. Without the simulation, only that of the server is possible.
 set_up_archives() {
   newer_than "$state/archives.stamp" "$state/java.stamp" || return 0
+  # Another user's installation is used as it is.
+  [ -w "$state" ] || return 0
   locked
   if newer_than "$state/archives.stamp" "$state/java.stamp"; then
     touch "$state/archives.begun"

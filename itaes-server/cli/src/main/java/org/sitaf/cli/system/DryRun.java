@@ -12,6 +12,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.spool.Folders;
 import org.sitaf.cli.Sitaf;
@@ -27,6 +29,8 @@ import org.sitaf.core.activity.ActivityArchive;
  */
 final class DryRun {
   private static final String EXAMPLE = "ir-sensor";
+
+  private static final int LIMIT_MIN = 20;
 
   /** For writing an archive, on a slow machine. */
   private static final Duration STOP_LIMIT = Duration.ofMinutes(5);
@@ -50,9 +54,10 @@ final class DryRun {
             .setOut(new PrintWriter(OutputStream.nullOutputStream()))
             .execute("run", installation.example(EXAMPLE).toString());
     try {
-      system.get();
-    } catch (ExecutionException e) {
-      System.err.println("The server or its agent: " + e.getCause());
+      system.get(LIMIT_MIN, TimeUnit.MINUTES);
+    } catch (ExecutionException | TimeoutException e) {
+      // Both end with this process.
+      System.err.println("The server or its agent: " + e);
       exitCode = Sitaf.UNUSABLE;
     }
     System.exit(exitCode);
