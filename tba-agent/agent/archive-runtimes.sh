@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Creates the class-data archives of Java test applications and of their compiler: what each of these processes loads before
-# its work. They halve its start time. usage: archive-runtimes.sh DIST (folder of the agent with its runtimes)
+# its work. usage: archive-runtimes.sh DIST (folder of the agent with its runtimes)
 set -euo pipefail
 dist=${1:?usage: archive-runtimes.sh DIST}
 flags=(-XX:TieredStopAtLevel=1 -XX:+UseSerialGC)

@@ -197,3 +197,16 @@ def test_an_unknown_method_is_reported(sitaf, activity):
     run = sitaf("run", activity)
     assert run.returncode == 2
     assert "no method GetSonarData" in run.stderr
+
+
+def test_what_the_command_loads_is_archived(sitaf, tmp_path):
+    folder, loaded = sitaf.root / ".sitaf" / "dist" / "cli", tmp_path / "loaded"
+    # The launcher turns the JVM's log off.
+    run = subprocess.run(
+        ["java", f"-XX:SharedArchiveFile={folder / 'cli.jsa'}", f"-Xlog:class+load:file={loaded}", "-XX:TieredStopAtLevel=1",
+         f"-Dsitaf.home={sitaf.root}", "-jar", folder / "cli.jar", "run", sitaf.root / "examples" / "ir-sensor"],
+        capture_output=True, text=True, check=False,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    channel = next(line for line in loaded.read_text().splitlines() if "netty.NettyChannelBuilder " in line)
+    assert "shared objects file (top)" in channel

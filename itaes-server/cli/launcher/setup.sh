@@ -83,7 +83,7 @@ keep_java() {
 }
 
 # Copies the build output, so that later builds do not affect running programs, and creates the archives for class data sharing
-# that need no simulation. They reduce the start-up time to a third.
+# that need no simulation.
 install_java() {
   set -e
   local new=$state/dist.new

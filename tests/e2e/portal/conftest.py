@@ -9,7 +9,7 @@ from contextlib import contextmanager
 import pytest
 
 PATIENCE_MS = 90_000
-# WebGL without a graphics card. Pages are composed without it, which takes half the processor time.
+# WebGL without a graphics card. Pages are composed without it, which takes less processor time.
 SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing")
 
 

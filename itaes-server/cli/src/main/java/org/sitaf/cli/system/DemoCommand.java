@@ -1,6 +1,5 @@
 package org.sitaf.cli.system;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -15,7 +14,7 @@ import org.sitaf.cli.file.UserFiles;
 import org.sitaf.cli.run.ResultTable;
 import org.sitaf.cli.terminal.OnExit;
 import org.sitaf.cli.terminal.ProgressLine;
-import org.sitaf.core.activity.ActivityArchive;
+import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.verdict.TestResult;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -31,6 +30,7 @@ import tools.jackson.databind.JsonNode;
             + " verdict for each case. Exit code 1: a case did not pass.",
     mixinStandardHelpOptions = true)
 public final class DemoCommand implements Callable<Integer> {
+  private static final String EXAMPLE = "ir-sensor";
   private static final String MODEL = "GetInfraredData";
 
   @Spec private @Nullable CommandSpec spec;
@@ -64,10 +64,9 @@ public final class DemoCommand implements Callable<Integer> {
       throws IOException, InterruptedException {
     ServerClient server = system.client();
     progress.step("Creating the activity from examples/ir-sensor");
-    ByteArrayOutputStream zip = new ByteArrayOutputStream();
-    ActivityArchive.write(UserFiles.folder(installation.example("ir-sensor")), zip);
-    JsonNode activity = server.post("activities", "application/zip", zip.toByteArray());
-    String suites = "activities/" + activity.path("id").asString() + "/models/" + MODEL + "/suites";
+    FileTree files = UserFiles.folder(installation.example(EXAMPLE));
+    String activity = RemoteActivity.upload(server, null, EXAMPLE, files).id();
+    String suites = "activities/" + activity + "/models/" + MODEL + "/suites";
 
     RemoteBuild builds = new RemoteBuild(server, progress);
     progress.step("Generating test cases");

@@ -1,6 +1,5 @@
 package org.sitaf.cli.system;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
@@ -20,7 +19,7 @@ import org.sitaf.cli.Sitaf;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.UserFiles;
 import org.sitaf.cli.terminal.ProgressLine;
-import org.sitaf.core.activity.ActivityArchive;
+import org.sitaf.core.activity.FileTree;
 
 /**
  * Runs an example by the command line, and on a server with an agent, once per installation. The
@@ -69,15 +68,9 @@ final class DryRun {
       LocalSystem system = LocalSystem.start(installation, directory, 0, 0, Map.of(), progress);
       try {
         ServerClient server = system.client();
-        ByteArrayOutputStream zip = new ByteArrayOutputStream();
-        ActivityArchive.write(UserFiles.folder(installation.example(EXAMPLE)), zip);
-        String activity =
-            "activities/"
-                + server
-                    .post("activities", "application/zip", zip.toByteArray())
-                    .path("id")
-                    .asString();
-        String suites = activity + "/models/GetInfraredData/suites";
+        FileTree files = UserFiles.folder(installation.example(EXAMPLE));
+        String activity = RemoteActivity.upload(server, null, EXAMPLE, files).id();
+        String suites = "activities/" + activity + "/models/GetInfraredData/suites";
         RemoteBuild build = new RemoteBuild(server, progress);
         build.build(server.post(suites, Map.of()).path("id").asString());
       } finally {

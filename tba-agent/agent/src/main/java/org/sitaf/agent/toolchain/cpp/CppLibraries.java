@@ -158,7 +158,7 @@ record CppLibraries(
     Optional<String> known =
         List.of(parts.group(1), parts.group(1).replace('-', '_'), parts.group(1).replace('_', '-'))
             .stream()
-            .filter(name -> PkgConfig.version(name).isPresent())
+            .filter(PkgConfig::exists)
             .findFirst();
     if (known.isEmpty()) {
       problems.add(

@@ -11,6 +11,11 @@ final class PkgConfig {
 
   private PkgConfig() {}
 
+  /** Whether a library and all that it requires are installed. */
+  static boolean exists(String library) {
+    return Tools.outputOf(List.of(PROGRAM, "--exists", library)).isPresent();
+  }
+
   /**
    * The version of a library; empty if it is not installed.
    *
