@@ -11,7 +11,8 @@ configure({ asyncUtilTimeout: 30_000 });
 if (typeof window !== 'undefined') {
   window.matchMedia = (query) =>
     Object.assign(new EventTarget(), {
-      matches: false,
+      // Dialogs and drawers appear at once: a slow machine sees the frames of their transitions.
+      matches: query === '(prefers-reduced-motion: reduce)',
       media: query,
       onchange: null,
       addListener: () => undefined,
