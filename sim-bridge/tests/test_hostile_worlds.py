@@ -169,6 +169,7 @@ def test_sessions_of_one_endpoint_are_unknown_at_another(build: tuple[Bridge, En
     assert endpoints.close(bridge, "e1")
     assert _refusal(session.read) is grpc.StatusCode.UNAVAILABLE
     assert not (endpoints.folder / "e1").exists()
+    assert not (endpoints.folder / "e1.ops").exists()
     assert set(ranges(second.create(ir_world()).read()).values()) == {5.0}
     for one in (first, second):
         one.channel.close()

@@ -6,6 +6,7 @@ os.environ.setdefault("MUJOCO_GL", "egl")
 
 import subprocess
 import sys
+import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -190,9 +191,11 @@ def cameras(control, hardware):
 
 
 def main():
-    command = [sys.executable, "-m", "sitaf_bridge", "serve", "--stop-with-stdin"]
     rows = []
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+    # A Unix socket, as agents use.
+    folder = tempfile.TemporaryDirectory()
+    command = [sys.executable, "-m", "sitaf_bridge", "serve", "--listen", f"unix:{folder.name}/s", "--stop-with-stdin"]
+    with folder, subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         try:
             target = process.stdout.readline().split()[1]
             options = [("grpc.max_receive_message_length", 64 << 20), ("grpc.max_send_message_length", 64 << 20)]

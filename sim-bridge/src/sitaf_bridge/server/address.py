@@ -25,6 +25,11 @@ class Address:
     target: str
     is_unix: bool
 
+    @property
+    def path(self) -> Path | None:
+        """The path of a Unix socket."""
+        return Path(self.target.removeprefix("unix:")) if self.is_unix else None
+
     def bound(self, port: int) -> str:
         """The target for clients, once the port is known."""
         return self.target if self.is_unix else f"{self.target.rsplit(':', 1)[0]}:{port}"

@@ -8,7 +8,7 @@ import grpc
 from sitaf_bridge import __version__
 from sitaf_bridge.errors import BridgeError, InvalidRequest, WrongState
 from sitaf_bridge.server.many import prepare_many_response
-from sitaf_bridge.server.operations import OPERATIONS, operate, replay
+from sitaf_bridge.server.operations import OPERATIONS, IsActive, operate, replay
 from sitaf_bridge.server.packing import state_message
 from sitaf_bridge.server.status import answering, code_of, message_of
 from sitaf_bridge.server.wire import duration, seconds_of, source_of, world_message
@@ -46,7 +46,10 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
         registry: Registry,
         signals: SignalStore | None = None,
         hardware: SessionHardware | None = None,
+        *,
+        operation_socket: bool = False,
     ) -> None:
+        self._operation_socket = operation_socket
         self._catalog = catalog
         self._registry = registry
         self._signals = signals
@@ -109,6 +112,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
                 state=state_message(simulation.state),
                 keeps_signals=self._signals is not None or self._hardware is not None,
                 real_time=self._hardware is not None,
+                operation_socket=self._operation_socket,
             )
 
     @answering
@@ -160,9 +164,10 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     ) -> Iterator[pb.OperateResponse]:
         """Run a stream of operations in order."""
         for request in request_iterator:
-            yield self._operated(request, context)
+            yield self.operated(request, context.is_active)
 
-    def _operated(self, request: pb.OperateRequest, context: grpc.ServicerContext) -> pb.OperateResponse:
+    def operated(self, request: pb.OperateRequest, is_active: IsActive) -> pb.OperateResponse:
+        """Run one operation of a stream; a rejected one is answered with a refusal."""
         part = request.WhichOneof("operation")
         try:
             if part == "ping":
@@ -171,7 +176,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
                 raise InvalidRequest("operation is missing")
             message = getattr(request, part)
             with self._registry.use(message.session_id) as session, session.simulation() as simulation:
-                answer = operate(session, simulation, STREAMED[part], message, context.is_active)
+                answer = operate(session, simulation, STREAMED[part], message, is_active)
                 return pb.OperateResponse(state=answer.state)
         except BridgeError as error:
             refusal = pb.Refusal(code=code_of(error).value[0], message=message_of(error))

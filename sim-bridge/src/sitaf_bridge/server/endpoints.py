@@ -18,6 +18,7 @@ import grpc
 from sitaf_bridge.errors import Forbidden, InvalidRequest, NoSuchEndpoint, NoSuchSession, Unavailable
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.hardware import VirtualHardware
+from sitaf_bridge.server.operation_socket import OperationSocket, beside
 from sitaf_bridge.server.status import answering
 from sitaf_bridge.server.wire import source_of
 from sitaf_bridge.session.registry import Registry
@@ -42,6 +43,8 @@ SERVER_OPTIONS = (
 )
 # The test application makes one call at a time, its component one per thread.
 MAX_CALLS = 32
+# One for the test application, and some for clients that a component opens.
+MAX_CONNECTIONS = 8
 MAX_ENDPOINTS = 64
 NAME = re.compile(r"[A-Za-z0-9]{1,16}")
 # Seconds for running calls to end when their endpoint is closed.
@@ -87,12 +90,18 @@ class Endpoint:
         self.sessions = Registry(default_lease_s=lease_s, max_sessions=1)
         self._pool = ThreadPoolExecutor(threads, thread_name_prefix="call")
         self._server = grpc.server(self._pool, options=SERVER_OPTIONS, maximum_concurrent_rpcs=MAX_CALLS)
-        control = SimulationControl(catalog, self.sessions, self.signals, hardware)
+        operations = beside(path)
+        control = SimulationControl(
+            catalog, self.sessions, self.signals, hardware, operation_socket=operations is not None
+        )
         virtual = VirtualHardware(self.sessions, threads // 2)
         simulation_pb2_grpc.add_SimulationControlServicer_to_server(control, self._server)
         simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(virtual, self._server)
         self._server.add_insecure_port(self.target)
         os.chmod(path, SOCKET_MODE)
+        self._operations = (
+            None if operations is None else OperationSocket(operations, control.operated, MAX_CONNECTIONS, SOCKET_MODE)
+        )
         self._server.start()
 
     def show_motion(self, known: int) -> tuple[bytes, int]:
@@ -114,9 +123,10 @@ class Endpoint:
         if self.hardware is not None:
             self.hardware.close()
         stopped = self._server.stop(0)
+        idle = self._operations is None or self._operations.close(GRACE_S)
         self.sessions.close()
         self._pool.shutdown(wait=False, cancel_futures=True)
-        return stopped.wait(GRACE_S)
+        return stopped.wait(GRACE_S) and idle
 
 
 class Endpoints:

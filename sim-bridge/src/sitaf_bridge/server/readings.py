@@ -91,16 +91,17 @@ def _command(message: pb.DeviceCommand) -> Command:
     form = message.WhichOneof("command")
     if form is None:
         raise InvalidRequest(f"commands: the command to {message.device!r} is empty")
-    if form == "level":
-        return Command(message.device, form, {"level": float(message.level)})
     if form == "joint":
-        target = message.joint.WhichOneof("target")
+        joint = message.joint
+        target = joint.WhichOneof("target")
         if target is None:
             raise InvalidRequest(f"commands: the command to {message.device!r} has no target")
-        return Command(message.device, form, {target: getattr(message.joint, target)})
+        return Command(message.device, form, {target: getattr(joint, target)})
     if form == "drive":
         numbers = {"linear": message.drive.linear, "angular": message.drive.angular}
         return Command(message.device, form, numbers)
+    if form == "level":
+        return Command(message.device, form, {"level": float(message.level)})
     return Command(message.device, "gripper", {"width": message.gripper.width_m})
 
 

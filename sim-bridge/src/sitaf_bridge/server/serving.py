@@ -12,6 +12,7 @@ from sitaf_bridge.server.address import Address, BadAddress, Guard, TokenCheck
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.endpoints import SERVER_OPTIONS, Administration, Endpoints
 from sitaf_bridge.server.hardware import VirtualHardware
+from sitaf_bridge.server.operation_socket import OperationSocket, beside
 from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.wire import administration_pb2_grpc, simulation_pb2_grpc
 from sitaf_bridge.world.catalog import Catalog
@@ -40,11 +41,14 @@ def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
     guard = settings.guard
     checks: list[grpc.ServerInterceptor] = [] if guard is None else [TokenCheck(guard.token)]
     server = grpc.server(pool, options=SERVER_OPTIONS, interceptors=checks)
-    simulation_pb2_grpc.add_SimulationControlServicer_to_server(SimulationControl(catalog, registry), server)
+    # Its connections could not be asked for the token.
+    operations = beside(settings.address.path) if settings.address.path is not None and guard is None else None
+    control = SimulationControl(catalog, registry, operation_socket=operations is not None)
+    simulation_pb2_grpc.add_SimulationControlServicer_to_server(control, server)
     simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(
         VirtualHardware(registry, max(1, settings.threads // 2)), server
     )
-    endpoints = None
+    endpoints, opened = None, None
     if settings.endpoints is not None:
         endpoints = Endpoints(settings.endpoints, catalog, settings.default_lease_s, settings.threads)
         administration_pb2_grpc.add_SimulatorAdministrationServicer_to_server(Administration(endpoints), server)
@@ -58,10 +62,18 @@ def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
             )
         except RuntimeError as error:
             raise BadAddress(f"cannot listen on {settings.address.target}: {error}") from error
+        if operations is not None:
+            try:
+                opened = OperationSocket(operations, control.operated, settings.max_sessions)
+            except OSError as error:
+                raise BadAddress(f"cannot listen on {operations}: {error}") from error
         server.start()
         yield settings.address.bound(port)
     finally:
-        server.stop(GRACE_S).wait()
+        stopped = server.stop(GRACE_S)
+        if opened is not None:
+            opened.close(GRACE_S)
+        stopped.wait()
         pool.shutdown(wait=False, cancel_futures=True)
         registry.close()
         if endpoints is not None:

@@ -63,6 +63,16 @@ class World:
         names = (mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_BODY, b) for b in range(1, self.model.nbody))
         return tuple(name for name in names if name)
 
+    @cached_property
+    def places_of_readings(self) -> tuple[int, ...]:
+        """Where each device is in the readings of one bank after the other, in the order of declaration.
+
+        Cameras have images instead.
+        """
+        devices = [d for d in self.description.devices.values() if not KINDS[d.kind].image]
+        by_bank = sorted(devices, key=lambda device: list(self.banks).index(device.kind))
+        return tuple(by_bank.index(device) for device in devices)
+
     def apply(self, model: mujoco.MjModel, data: mujoco.MjData, values: Mapping[str, float]) -> None:
         """Set direct parameters first, then solved ones, which depend on them; each in the order of declaration.
 

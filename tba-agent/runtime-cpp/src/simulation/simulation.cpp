@@ -103,6 +103,9 @@ class Simulation::Session : public Simulator {
         hardware_(layout_, world_, stopwatch, *this),
         time_(std::chrono::nanoseconds(created_.world().timestep_ns()), [this](std::uint64_t steps) { step(steps); }) {
     world_.freeze(created_.state());
+    if (created_.operation_socket()) {
+      wire_.useOperationSocket();
+    }
     // Worlds that are prepared in bulk have no signals.
     alone_ = created_.keeps_signals();
     const auto& lease = created_.lease();
@@ -230,7 +233,7 @@ class Simulation::Session : public Simulator {
     wire::SetParametersRequest request;
     request.set_session_id(created_.session_id());
     (*request.mutable_values())[parameter] = value;
-    world_.freeze(wire_.control("setting " + parameter + " to " + suite::literals::write(value), &Control::SetParameters, request).state());
+    world_.freeze(wire_.set("setting " + parameter + " to " + suite::literals::write(value), std::move(request)));
   }
 
   void keepSignals(int no) {
@@ -317,7 +320,7 @@ class Simulation::Session : public Simulator {
     request.set_call_after_ns(prepared.callAfter.count());
     request.set_case_no(caseNo_);
     pending_.reset();
-    world_.freeze(wire_.control(describeParameters(prepared.parameters, prepared.values), &Control::Prepare, request).state());
+    world_.freeze(wire_.prepare(describeParameters(prepared.parameters, prepared.values), std::move(request)));
   }
 
   void give(const std::string& what, PendingCommands::Commands commands) {
@@ -326,7 +329,7 @@ class Simulation::Session : public Simulator {
     for (wire::DeviceCommand& command : commands) {
       *request.add_commands() = std::move(command);
     }
-    world_.freeze(wire_.hardware(what, &wire::VirtualHardware::Stub::WriteDevices, request).state());
+    world_.freeze(wire_.write(what, std::move(request)));
   }
 
   void step(std::uint64_t steps) {
@@ -340,7 +343,7 @@ class Simulation::Session : public Simulator {
     for (wire::DeviceCommand& command : pendingCommands_.take()) {
       *request.add_commands() = std::move(command);
     }
-    world_.freeze(wire_.step("advancing by " + std::to_string(steps) + " steps", request).state());
+    world_.freeze(wire_.step("advancing by " + std::to_string(steps) + " steps", std::move(request)));
   }
 
   /// Brings the session to the current case, because the component acts; later cases are prepared separately.

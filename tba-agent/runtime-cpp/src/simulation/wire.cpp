@@ -7,6 +7,9 @@
 #include "sitaf/simulation/simulation_error.hpp"
 
 namespace sitaf::simulation {
+
+namespace wire = sim::v1;
+
 namespace {
 
 /// Timeout of a call to the simulator; the agent enforces a shorter limit for a case.
@@ -45,10 +48,62 @@ bool isLost(grpc::StatusCode code) {
 
 }  // namespace
 
-Wire::Wire(const std::string& target) {
+Wire::Wire(const std::string& target) : target_(target) {
   const auto channel = channelTo(target);
   control_ = sim::v1::SimulationControl::NewStub(channel);
   hardware_ = sim::v1::VirtualHardware::NewStub(channel);
+}
+
+void Wire::useOperationSocket() {
+  static const std::string unixScheme = "unix:";
+  if (target_.rfind(unixScheme, 0) == 0) {
+    operations_ = OperationSocket::open(target_.substr(unixScheme.size()) + ".ops");
+  }
+}
+
+wire::WorldState Wire::operate(const std::string& what, bool ofComponent, const wire::OperateRequest& request) {
+  wire::OperateResponse response;
+  require(operations_->operate(request, response), what, ofComponent);
+  return std::move(*response.mutable_state());
+}
+
+wire::WorldState Wire::prepare(const std::string& what, wire::PrepareRequest request) {
+  if (operations_) {
+    wire::OperateRequest operation;
+    operation.mutable_prepare()->Swap(&request);
+    return operate(what, false, operation);
+  }
+  return control(what, &wire::SimulationControl::Stub::Prepare, request).state();
+}
+
+wire::WorldState Wire::set(const std::string& what, wire::SetParametersRequest request) {
+  if (operations_) {
+    wire::OperateRequest operation;
+    operation.mutable_set_parameters()->Swap(&request);
+    return operate(what, false, operation);
+  }
+  return control(what, &wire::SimulationControl::Stub::SetParameters, request).state();
+}
+
+wire::WorldState Wire::step(const std::string& what, wire::StepSimulationRequest request) {
+  const bool commands = request.commands_size() > 0;
+  if (operations_) {
+    wire::OperateRequest operation;
+    operation.mutable_step()->Swap(&request);
+    return operate(what, commands, operation);
+  }
+  return call<wire::StepSimulationResponse>(
+             what, commands, [&](auto* context, auto* response) { return control_->StepSimulation(context, request, response); })
+      .state();
+}
+
+wire::WorldState Wire::write(const std::string& what, wire::WriteDevicesRequest request) {
+  if (operations_) {
+    wire::OperateRequest operation;
+    operation.mutable_write()->Swap(&request);
+    return operate(what, true, operation);
+  }
+  return hardware(what, &wire::VirtualHardware::Stub::WriteDevices, request).state();
 }
 
 void Wire::limit(grpc::ClientContext& context) { context.set_deadline(std::chrono::system_clock::now() + callTimeout); }

@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "simulation/operation_socket.hpp"
 #include "sitaf/sim/v1/simulation.grpc.pb.h"
 
 namespace sitaf::simulation {
@@ -26,12 +27,20 @@ class Wire {
         what, false, [&](grpc::ClientContext* context, Response* response) { return (control_.get()->*rpc)(context, request, response); });
   }
 
-  /// As control, for a step. If it contains commands, their rejection is an error of the component and throws std::invalid_argument.
-  sim::v1::StepSimulationResponse step(const std::string& what, const sim::v1::StepSimulationRequest& request) {
-    return call<sim::v1::StepSimulationResponse>(what, request.commands_size() > 0, [&](auto* context, auto* response) {
-      return control_->StepSimulation(context, request, response);
-    });
-  }
+  /// Runs operations over the simulator's socket of operations from now on, unless it cannot be reached.
+  void useOperationSocket();
+
+  /// Prepares a case; as control. Returns the state after it, as the following operations do.
+  sim::v1::WorldState prepare(const std::string& what, sim::v1::PrepareRequest request);
+
+  /// Sets parameters; as control.
+  sim::v1::WorldState set(const std::string& what, sim::v1::SetParametersRequest request);
+
+  /// Advances time. If it contains commands, their rejection is an error of the component and throws std::invalid_argument.
+  sim::v1::WorldState step(const std::string& what, sim::v1::StepSimulationRequest request);
+
+  /// Commands devices. A command that a device rejects is an error of the component and throws std::invalid_argument.
+  sim::v1::WorldState write(const std::string& what, sim::v1::WriteDevicesRequest request);
 
   /// As control, for VirtualHardware. A command that a device rejects is an error of the component and throws std::invalid_argument.
   template <class Request, class Response>
@@ -49,6 +58,8 @@ class Wire {
   static void limit(grpc::ClientContext& context);
   void require(const grpc::Status& status, const std::string& what, bool ofComponent);
 
+  sim::v1::WorldState operate(const std::string& what, bool ofComponent, const sim::v1::OperateRequest& request);
+
   template <class Response, class Call>
   Response call(const std::string& what, bool ofComponent, Call make) {
     grpc::ClientContext context;
@@ -58,6 +69,8 @@ class Wire {
     return response;
   }
 
+  const std::string target_;
+  std::unique_ptr<OperationSocket> operations_;
   std::mutex mutex_;
   std::string gone_;
   std::unique_ptr<sim::v1::SimulationControl::Stub> control_;

@@ -8,7 +8,7 @@ import mujoco
 
 from sitaf_bridge.errors import UnreachableValue
 from sitaf_bridge.world.description.yaml_block import Problems
-from sitaf_bridge.world.devices.kind import DeviceDeclaration
+from sitaf_bridge.world.devices.kind import DeviceDeclaration, Limits
 
 NOUNS = {
     "site": mujoco.mjtObj.mjOBJ_SITE,
@@ -110,10 +110,16 @@ def limits_of(model: mujoco.MjModel, actuator: int) -> tuple[float, float]:
     return low, high
 
 
+def beyond_limits(shown: str, value: float, limits: Limits) -> UnreachableValue:
+    """The error of a command outside of the limits of an actuator."""
+    low, high = limits
+    return UnreachableValue(f"commands: {shown}: {value:g} is outside the limits [{low:g}, {high:g}]")
+
+
 def command_actuator(model: mujoco.MjModel, data: mujoco.MjData, actuator: int, value: float, shown: str) -> None:
     """Set an actuator's control. Raises UnreachableValue outside of its `ctrlrange`."""
     if model.actuator_ctrllimited[actuator]:
         low, high = model.actuator_ctrlrange[actuator].tolist()
         if not low <= value <= high:
-            raise UnreachableValue(f"commands: {shown}: {value:g} is outside the limits [{low:g}, {high:g}]")
+            raise beyond_limits(shown, value, (low, high))
     data.ctrl[actuator] = value

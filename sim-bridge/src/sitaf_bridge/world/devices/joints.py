@@ -9,7 +9,7 @@ from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.world.description.yaml_block import Block, Problems
 from sitaf_bridge.world.devices.binding import (
     Joint,
-    command_actuator,
+    beyond_limits,
     find,
     find_all,
     find_single_joint,
@@ -17,7 +17,15 @@ from sitaf_bridge.world.devices.binding import (
     limits_of,
     mode_of,
 )
-from sitaf_bridge.world.devices.kind import Accepted, Command, DeviceDeclaration, DeviceKind, Reading, expected_form
+from sitaf_bridge.world.devices.kind import (
+    Accepted,
+    Command,
+    DeviceDeclaration,
+    DeviceKind,
+    Limits,
+    Reading,
+    expected_form,
+)
 
 FIELDS = ("position", "velocity", "effort")
 
@@ -42,6 +50,7 @@ class _Motor:
     actuator: int
     joint: Joint
     mode: str
+    limits: Limits
 
 
 class JointEncoderKind(DeviceKind):
@@ -83,15 +92,18 @@ class EncoderBank:
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
         """Position and velocity."""
-        return [Reading(d, _encoded(data, d, joint)) for d, joint in self._devices]
+        qpos, qvel = data.qpos, data.qvel
+        return [
+            Reading(d, (_encoded(d, qpos.item(joint.position)), qvel.item(joint.velocity)))
+            for d, joint in self._devices
+        ]
 
 
-def _encoded(data: mujoco.MjData, declaration: DeviceDeclaration, joint: Joint) -> tuple[float, ...]:
+def _encoded(declaration: DeviceDeclaration, position: float) -> float:
     assert isinstance(declaration, EncoderDeclaration)  # noqa: S101
-    position: float = data.qpos.item(joint.position)
     if declaration.resolution > 0:
-        position = round(position / declaration.resolution) * declaration.resolution
-    return position, data.qvel.item(joint.velocity)
+        return round(position / declaration.resolution) * declaration.resolution
+    return position
 
 
 class JointMotorKind(DeviceKind):
@@ -111,7 +123,8 @@ class JointMotorKind(DeviceKind):
         def motor(declaration: DeviceDeclaration) -> _Motor:
             assert isinstance(declaration, MotorDeclaration)  # noqa: S101
             actuator = find(model, "actuator", declaration.actuator)
-            return _Motor(actuator, joint_of(model, actuator, "actuator"), mode_of(model, actuator, "actuator"))
+            joint, mode = joint_of(model, actuator, "actuator"), mode_of(model, actuator, "actuator")
+            return _Motor(actuator, joint, mode, limits_of(model, actuator))
 
         return MotorBank(find_all(declarations, problems, motor))
 
@@ -141,12 +154,15 @@ class MotorBank:
         ((mode, value),) = expected_form(command, "joint").items()
         if mode != motor.mode:
             raise InvalidRequest(f"commands: the motor {command.device} takes {motor.mode}, not {mode}")
-        command_actuator(model, data, motor.actuator, value, f"{command.device}.{mode}")
+        low, high = motor.limits
+        if not low <= value <= high:
+            raise beyond_limits(f"{command.device}.{mode}", value, motor.limits)
+        data.ctrl[motor.actuator] = value
 
     def accepts(self, model: mujoco.MjModel, device: str) -> Accepted:
         """The mode of the actuator."""
         motor = self._by_name[device]
-        return Accepted({motor.mode: limits_of(model, motor.actuator)})
+        return Accepted({motor.mode: motor.limits})
 
     def actuators(self, device: str) -> tuple[int, ...]:
         """The actuator of a motor."""

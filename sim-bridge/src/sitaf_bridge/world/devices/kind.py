@@ -61,8 +61,7 @@ class Reading(NamedTuple):
     values: tuple[float, ...]
 
 
-@dataclass(frozen=True)
-class Command:
+class Command(NamedTuple):
     """A command to a device: `form` is joint, drive, gripper or level; numbers by name in SI units."""
 
     device: str

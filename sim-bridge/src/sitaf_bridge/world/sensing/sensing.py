@@ -113,14 +113,14 @@ class Sensing:
 
         Devices of the kinds in `without` are skipped and have no values; not allowed if a device is delayed.
         """
-        banks = self.world.banks
-        actual = [reading for kind in banks if kind not in without for reading in banks[kind].read(model, data)]
-        if without:
-            devices = self.world.description.devices.values()
-            actual += [Reading(device, ()) for device in devices if device.kind in without and device.kind in banks]
-        if len(self.world.banks) > 1:
-            actual.sort(key=lambda reading: -reading.device.slot)
+        found: list[Reading] = []
+        for kind, bank in self.world.banks.items():
+            found += self._unread(kind) if kind in without else bank.read(model, data)
+        actual = [found[position] for position in self.world.places_of_readings]
         return tuple(self._perceived(model, data, step, self._real(step, actual)))
+
+    def _unread(self, kind: str) -> list[Reading]:
+        return [Reading(device, ()) for device in self.world.description.devices.values() if device.kind == kind]
 
     def read_banks(
         self, model: mujoco.MjModel, data: mujoco.MjData, step: int, banks: Sequence[Bank]

@@ -59,6 +59,8 @@ class Simulation:
         except SimulationError:
             self._connection.close()
             raise
+        if created.operation_socket:
+            self._connection.use_operation_socket()
         self._session: str = created.session_id
         self._timestep_ns: int = created.world.timestep_ns
         if self._timestep_ns <= 0:
@@ -236,9 +238,7 @@ class Simulation:
         self.send_pending()
         request = pb.SetParametersRequest(session_id=self._session, values={parameter: value})
         what = f"setting {parameter} to {value:g}"
-        self._hardware.world = self._layout.freeze(
-            self._connection.ask(what, self._control.SetParameters, request).state
-        )
+        self._hardware.world = self._layout.freeze(self._connection.ask(what, self._connection.set, request).state)
 
     def keep_signals(self, no: int) -> None:
         """Let the simulator keep the signals of the current case for the agent, if the agent wants signals.
@@ -298,7 +298,7 @@ class Simulation:
     def _give(self, commands: list[pb.DeviceCommand], what: str) -> None:
         request = pb.WriteDevicesRequest(session_id=self._session, commands=commands)
         self._hardware.world = self._layout.freeze(
-            self._connection.command(what, self._devices.WriteDevices, request).state
+            self._connection.command(what, self._connection.write, request).state
         )
 
     def look(self, camera: str) -> pb.Reading:
@@ -344,7 +344,7 @@ class Simulation:
         what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
         commanded = any(each.commands for each in (first, *later))
         call = self._connection.command if commanded else self._connection.ask
-        self._hardware.world = self._layout.freeze(call(what, self._control.StepSimulation, request).state)
+        self._hardware.world = self._layout.freeze(call(what, self._connection.step, request).state)
 
     def _spend(self, time_ns: int) -> None:
         self._passed_ns += time_ns
@@ -361,7 +361,7 @@ class Simulation:
     def _prepare(self, request: pb.PrepareRequest) -> None:
         self._pending_preparation = None
         what = "setting " + ", ".join(f"{name} = {value:g}" for name, value in request.parameters.items())
-        self._hardware.world = self._layout.freeze(self._connection.ask(what, self._control.Prepare, request).state)
+        self._hardware.world = self._layout.freeze(self._connection.ask(what, self._connection.prepare, request).state)
 
     def _prepare_many(self, request: pb.PrepareManyRequest) -> pb.PrepareManyResponse | None:
         request.session_id = self._session

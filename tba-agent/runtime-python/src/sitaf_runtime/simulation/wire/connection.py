@@ -8,6 +8,7 @@ from typing import Any
 import grpc
 
 from sitaf_runtime.errors import SimulationError
+from sitaf_runtime.simulation.wire.operations import OperationSocket
 from sitaf_runtime.simulation.wire.service import client
 from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 
@@ -38,8 +39,40 @@ class Connection:
                 ("grpc.max_send_message_length", _MAX_MESSAGE_BYTES),
             ],
         )
+        self._target = target
+        self._operations: OperationSocket | None = None
         self.control: Any = client(self._channel, pb.DESCRIPTOR, "SimulationControl")
         self.devices: Any = client(self._channel, pb.DESCRIPTOR, "VirtualHardware")
+
+    def use_operation_socket(self) -> None:
+        """Run operations over the simulator's socket of operations from now on, unless it cannot be reached."""
+        try:
+            self._operations = OperationSocket(self._target.removeprefix("unix:") + ".ops")
+        except OSError:
+            # Its number of connections is limited.
+            self._operations = None
+
+    def prepare(self, request: pb.PrepareRequest, timeout: float) -> Any:
+        """Prepare a case. Raises grpc.RpcError."""
+        return self._operate("prepare", self.control.Prepare, request, timeout)
+
+    def step(self, request: pb.StepSimulationRequest, timeout: float) -> Any:
+        """Advance time. Raises grpc.RpcError."""
+        return self._operate("step", self.control.StepSimulation, request, timeout)
+
+    def set(self, request: pb.SetParametersRequest, timeout: float) -> Any:
+        """Set parameters. Raises grpc.RpcError."""
+        return self._operate("set_parameters", self.control.SetParameters, request, timeout)
+
+    def write(self, request: pb.WriteDevicesRequest, timeout: float) -> Any:
+        """Command devices. Raises grpc.RpcError."""
+        return self._operate("write", self.devices.WriteDevices, request, timeout)
+
+    def _operate(self, name: str, unary: Callable[..., Any], request: Any, timeout: float) -> Any:
+        """Run an operation; the answer has its `state`."""
+        if self._operations is None:
+            return unary(request, timeout=timeout)
+        return self._operations.operate(pb.OperateRequest(**{name: request}), timeout)
 
     def ask(self, what: str, call: Callable[..., Any], request: object) -> Any:
         """Make a call. Raises SimulationError, which names what it was for."""
@@ -77,6 +110,8 @@ class Connection:
 
     def close(self) -> None:
         """Close the connection."""
+        if self._operations is not None:
+            self._operations.close()
         self._channel.close()
 
 

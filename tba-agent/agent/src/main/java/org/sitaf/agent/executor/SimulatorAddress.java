@@ -1,5 +1,6 @@
 package org.sitaf.agent.executor;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -14,6 +15,9 @@ import org.sitaf.agent.sandbox.Confinement;
 public record SimulatorAddress(String target) {
   private static final String UNIX = "unix:";
 
+  /** What is appended to the path of a gRPC socket for its socket of operations. */
+  private static final String OPERATIONS = ".ops";
+
   public SimulatorAddress {
     Objects.requireNonNull(target);
   }
@@ -27,10 +31,15 @@ public record SimulatorAddress(String target) {
     return Optional.of(Path.of(path.startsWith("//") ? path.substring(2) : path).toAbsolutePath());
   }
 
-  /** Gives access to the simulator: one file for a Unix socket, otherwise the network. */
+  /** Gives access to the simulator: the files of its Unix sockets, otherwise the network. */
   Confinement grantedTo(Confinement confinement) {
     return socket()
-        .map(socket -> confinement.reading(List.of(socket)))
+        .map(socket -> confinement.reading(sockets(socket)))
         .orElseGet(confinement::withNetwork);
+  }
+
+  private static List<Path> sockets(Path socket) {
+    Path operations = socket.resolveSibling(socket.getFileName() + OPERATIONS);
+    return Files.exists(operations) ? List.of(socket, operations) : List.of(socket);
   }
 }

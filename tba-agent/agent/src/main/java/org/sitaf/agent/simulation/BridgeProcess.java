@@ -38,6 +38,9 @@ final class BridgeProcess {
   private static final String CONTROL = "control";
   private static final String GUARD = "guard";
 
+  /** What is appended to the name of an endpoint's gRPC socket for its socket of operations. */
+  private static final String OPERATIONS = ".ops";
+
   /**
    * {@code sun_path} holds 108 bytes including the terminator; some are needed for names in the
    * directory.
@@ -179,10 +182,19 @@ final class BridgeProcess {
   }
 
   /**
-   * Links an endpoint's socket into a folder that the bridge cannot write, so that the bridge
-   * cannot replace the file that is mounted for a component.
+   * Links an endpoint's sockets into a folder that the bridge cannot write, so that the bridge
+   * cannot replace the files that are mounted for a component.
+   *
+   * @return the one for gRPC; the one for operations is beside it, if there is one
    */
   Path share(String name) throws IOException {
+    if (Files.exists(folder.resolve("w").resolve(name + OPERATIONS), LinkOption.NOFOLLOW_LINKS)) {
+      link(name + OPERATIONS);
+    }
+    return link(name);
+  }
+
+  private Path link(String name) throws IOException {
     Path shared = folder.resolve("e").resolve(name);
     Files.createLink(shared, folder.resolve("w").resolve(name));
     BasicFileAttributes attributes =
@@ -213,6 +225,7 @@ final class BridgeProcess {
     }
     try {
       Files.deleteIfExists(folder.resolve("e").resolve(name));
+      Files.deleteIfExists(folder.resolve("e").resolve(name + OPERATIONS));
     } catch (IOException e) {
       // The file is deleted with its folder.
     }

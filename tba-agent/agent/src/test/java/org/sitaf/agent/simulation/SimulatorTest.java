@@ -10,6 +10,8 @@ import io.grpc.InsecureChannelCredentials;
 import io.grpc.ManagedChannel;
 import io.grpc.StatusRuntimeException;
 import java.io.IOException;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.SocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -98,6 +100,20 @@ class SimulatorTest {
       try (BuildSimulator simulator = simulators.forBuild()) {
         assertThat(simulator.version()).startsWith("sitaf-bridge");
       }
+    }
+  }
+
+  @Test
+  void anEndpointHasASocketOfOperationsUntilItIsClosed() throws Exception {
+    try (Simulator simulators = started(1);
+        BuildSimulator simulator = simulators.forBuild()) {
+      check(simulator);
+      Path operations;
+      try (SimulatorEndpoint endpoint = simulator.open()) {
+        operations = Path.of(endpoint.target().substring("unix:".length()) + ".ops");
+        SocketChannel.open(UnixDomainSocketAddress.of(operations)).close();
+      }
+      assertThat(operations).doesNotExist();
     }
   }
 

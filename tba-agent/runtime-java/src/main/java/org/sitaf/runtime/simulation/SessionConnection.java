@@ -17,6 +17,7 @@ import org.sitaf.sim.v1.DeleteSessionRequest;
 import org.sitaf.sim.v1.DeviceCommand;
 import org.sitaf.sim.v1.KeepSignalsRequest;
 import org.sitaf.sim.v1.KeepSignalsResponse;
+import org.sitaf.sim.v1.OperateRequest;
 import org.sitaf.sim.v1.PrepareManyRequest;
 import org.sitaf.sim.v1.PrepareManyResponse;
 import org.sitaf.sim.v1.PrepareRequest;
@@ -44,17 +45,29 @@ final class SessionConnection implements AutoCloseable {
   /** Timeout of a call to the simulator; the agent enforces a shorter limit for a case. */
   private static final Duration CALL_TIMEOUT = Duration.ofMinutes(5);
 
+  private static final String UNIX = "unix:";
+
+  /** What is appended to the path of the gRPC socket. */
+  private static final String OPERATIONS = ".ops";
+
   private final SimulatorChannel channel;
   private final CreateSessionResponse created;
   private final String session;
 
+  /** Empty if the simulator offers none: then each operation is a unary call. */
+  private final Optional<OperationSocket> operations;
+
   /** Why the simulator or the session is lost, so that no result counts; null while they work. */
   private volatile @Nullable SimulationException loss;
 
-  private SessionConnection(SimulatorChannel channel, CreateSessionResponse created) {
+  private SessionConnection(
+      SimulatorChannel channel,
+      CreateSessionResponse created,
+      Optional<OperationSocket> operations) {
     this.channel = channel;
     this.created = created;
     this.session = created.getSessionId();
+    this.operations = operations;
   }
 
   /**
@@ -77,7 +90,11 @@ final class SessionConnection implements AutoCloseable {
       if (created.getWorld().getTimestepNs() <= 0) {
         throw new SimulationException("the simulator reported no timestep");
       }
-      return new SessionConnection(channel, created);
+      Optional<OperationSocket> operations =
+          created.getOperationSocket() && target.startsWith(UNIX)
+              ? OperationSocket.open(target.substring(UNIX.length()) + OPERATIONS)
+              : Optional.empty();
+      return new SessionConnection(channel, created, operations);
     } catch (StatusRuntimeException e) {
       channel.close();
       throw failure("opening the world " + worldDescription.getFileName(), e);
@@ -94,16 +111,17 @@ final class SessionConnection implements AutoCloseable {
 
   WorldState prepare(
       Map<String, Double> parameters, Duration settle, Duration callAfter, int caseNo) {
-    return control()
-        .prepare(
-            PrepareRequest.newBuilder()
-                .setSessionId(session)
-                .putAllParameters(parameters)
-                .setSettleNs(settle.toNanos())
-                .setCallAfterNs(callAfter.toNanos())
-                .setCaseNo(caseNo)
-                .build())
-        .getState();
+    PrepareRequest request =
+        PrepareRequest.newBuilder()
+            .setSessionId(session)
+            .putAllParameters(parameters)
+            .setSettleNs(settle.toNanos())
+            .setCallAfterNs(callAfter.toNanos())
+            .setCaseNo(caseNo)
+            .build();
+    return operations
+        .map(socket -> socket.operate(OperateRequest.newBuilder().setPrepare(request).build()))
+        .orElseGet(() -> control().prepare(request).getState());
   }
 
   /** Empty when the simulator rejects a case; preparing each case separately reports which one. */
@@ -117,21 +135,23 @@ final class SessionConnection implements AutoCloseable {
   }
 
   WorldState step(long steps, List<DeviceCommand> commands) {
-    return control()
-        .stepSimulation(
-            StepSimulationRequest.newBuilder()
-                .setSessionId(session)
-                .setSteps(steps)
-                .addAllCommands(commands)
-                .build())
-        .getState();
+    StepSimulationRequest request =
+        StepSimulationRequest.newBuilder()
+            .setSessionId(session)
+            .setSteps(steps)
+            .addAllCommands(commands)
+            .build();
+    return operations
+        .map(socket -> socket.operate(OperateRequest.newBuilder().setStep(request).build()))
+        .orElseGet(() -> control().stepSimulation(request).getState());
   }
 
   WorldState write(List<DeviceCommand> commands) {
-    return devices()
-        .writeDevices(
-            WriteDevicesRequest.newBuilder().setSessionId(session).addAllCommands(commands).build())
-        .getState();
+    WriteDevicesRequest request =
+        WriteDevicesRequest.newBuilder().setSessionId(session).addAllCommands(commands).build();
+    return operations
+        .map(socket -> socket.operate(OperateRequest.newBuilder().setWrite(request).build()))
+        .orElseGet(() -> devices().writeDevices(request).getState());
   }
 
   Reading read(String device) {
@@ -143,13 +163,12 @@ final class SessionConnection implements AutoCloseable {
   }
 
   WorldState set(String parameter, double value) {
-    return control()
-        .setParameters(
-            SetParametersRequest.newBuilder()
-                .setSessionId(session)
-                .putValues(parameter, value)
-                .build())
-        .getState();
+    SetParametersRequest request =
+        SetParametersRequest.newBuilder().setSessionId(session).putValues(parameter, value).build();
+    return operations
+        .map(
+            socket -> socket.operate(OperateRequest.newBuilder().setSetParameters(request).build()))
+        .orElseGet(() -> control().setParameters(request).getState());
   }
 
   RecordMotionResponse recordMotion(long frameNanos) {
@@ -193,6 +212,7 @@ final class SessionConnection implements AutoCloseable {
     } catch (StatusRuntimeException e) {
       // The session is no longer needed; its lease expires.
     } finally {
+      operations.ifPresent(OperationSocket::close);
       channel.close();
     }
   }
