@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from sitaf_bridge.server.packing import state_message
+from sitaf_bridge.server.packing import state_message, with_state
 from sitaf_bridge.server.readings import reading_message
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.world.catalog import Catalog
@@ -34,6 +34,7 @@ def test_a_packed_state_is_the_built_one(world: str) -> None:
         state = simulation.step(40)
         assert state_message(state) == built(state)
         assert state_message(state).SerializeToString() == built(state).SerializeToString()
+        assert with_state(pb.StepSimulationResponse, state) == pb.StepSimulationResponse(state=built(state))
     dropped = simulation.set_faults(device, [Fault(FaultKind.DROPOUT)])
     assert math.isnan(dropped.readings[0].values[0])
     assert state_message(dropped).SerializeToString() == built(dropped).SerializeToString()

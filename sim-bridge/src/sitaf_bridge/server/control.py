@@ -164,23 +164,24 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     ) -> Iterator[pb.OperateResponse]:
         """Run a stream of operations in order."""
         for request in request_iterator:
-            yield self.operated(request, context.is_active)
+            yield pb.OperateResponse.FromString(self.operated(request, context.is_active))
 
-    def operated(self, request: pb.OperateRequest, is_active: IsActive) -> pb.OperateResponse:
-        """Run one operation of a stream; a rejected one is answered with a refusal."""
+    def operated(self, request: pb.OperateRequest, is_active: IsActive) -> bytes:
+        """Run one operation of a stream; returns an encoded OperateResponse, with a refusal for a rejected one."""
         part = request.WhichOneof("operation")
         try:
             if part == "ping":
-                return pb.OperateResponse()
+                return b""
             if part is None:
                 raise InvalidRequest("operation is missing")
             message = getattr(request, part)
             with self._registry.use(message.session_id) as session, session.simulation() as simulation:
                 answer = operate(session, simulation, STREAMED[part], message, is_active)
-                return pb.OperateResponse(state=answer.state)
+                # An OperateResponse has its state in the same field as the response of each of these operations.
+                return answer.SerializeToString()
         except BridgeError as error:
             refusal = pb.Refusal(code=code_of(error).value[0], message=message_of(error))
-            return pb.OperateResponse(refusal=refusal)
+            return pb.OperateResponse(refusal=refusal).SerializeToString()
 
     @answering
     def StartRecording(

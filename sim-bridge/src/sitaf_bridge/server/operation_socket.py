@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 from google.protobuf.message import DecodeError
@@ -26,7 +27,8 @@ PIECE_BYTES = 64 * 1024
 PATH_LIMIT = 107
 
 IsActive = Callable[[], bool]
-Operate = Callable[[pb.OperateRequest, IsActive], pb.OperateResponse]
+# Returns an encoded OperateResponse.
+Operate = Callable[[pb.OperateRequest, IsActive], bytes]
 
 
 def beside(grpc_socket: Path) -> Path | None:
@@ -100,10 +102,11 @@ class OperationSocket:
     def _serve(self, connection: socket.socket) -> None:
         try:
             # The client has gone, or has sent what is no frame.
+            is_open = partial(_is_open, connection)
             with suppress(OSError, EOFError, DecodeError):
                 while True:
                     request = pb.OperateRequest.FromString(_read_frame(connection))
-                    answer = self._operate(request, lambda: _is_open(connection)).SerializeToString()
+                    answer = self._operate(request, is_open)
                     connection.sendall(LENGTH.pack(len(answer)) + answer)
         finally:
             with self._lock:

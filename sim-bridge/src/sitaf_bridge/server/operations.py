@@ -8,7 +8,7 @@ from typing import Any
 from google.protobuf.message import DecodeError, Message
 
 from sitaf_bridge.errors import BridgeError, Diverged, InvalidRequest, WrongState
-from sitaf_bridge.server.packing import state_message
+from sitaf_bridge.server.packing import state_message, with_state
 from sitaf_bridge.server.readings import (
     commands_of,
     faults_of,
@@ -117,13 +117,13 @@ def _prepare(
     state = simulation.prepare(dict(request.parameters), request.settle_ns, is_active, request.call_after_ns)
     if session.hardware is not None:
         session.hardware.settled()
-    return pb.PrepareResponse(state=state_message(state))
+    return with_state(pb.PrepareResponse, state)
 
 
 def _set(
     _: Session, simulation: Simulation, request: pb.SetParametersRequest, _wanted: IsActive
 ) -> pb.SetParametersResponse:
-    return pb.SetParametersResponse(state=state_message(simulation.set(dict(request.values))))
+    return with_state(pb.SetParametersResponse, simulation.set(dict(request.values)))
 
 
 def _get(
@@ -136,7 +136,7 @@ def _reset(
     session: Session, simulation: Simulation, request: pb.ResetSimulationRequest, _wanted: IsActive
 ) -> pb.ResetSimulationResponse:
     session.preparations.reset()
-    return pb.ResetSimulationResponse(state=state_message(simulation.reset(scope_of(request.scope))))
+    return with_state(pb.ResetSimulationResponse, simulation.reset(scope_of(request.scope)))
 
 
 def _step(
@@ -145,7 +145,7 @@ def _step(
     later = [(each.steps, commands_of(each.commands)) for each in request.later]
     commands = commands_of(request.commands)
     state = simulation.step(request.steps, is_active, dict(request.parameters), commands, later)
-    return pb.StepSimulationResponse(state=state_message(state))
+    return with_state(pb.StepSimulationResponse, state)
 
 
 def _read(
@@ -170,7 +170,7 @@ def _read(
 def _write(
     _: Session, simulation: Simulation, request: pb.WriteDevicesRequest, _wanted: IsActive
 ) -> pb.WriteDevicesResponse:
-    return pb.WriteDevicesResponse(state=state_message(simulation.write(commands_of(request.commands))))
+    return with_state(pb.WriteDevicesResponse, simulation.write(commands_of(request.commands)))
 
 
 def _advance(

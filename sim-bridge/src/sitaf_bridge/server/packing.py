@@ -4,6 +4,9 @@ import struct
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from itertools import chain
+from typing import TypeVar
+
+from google.protobuf.message import Message
 
 from sitaf_bridge.server.readings import reading_message
 from sitaf_bridge.wire import simulation_pb2 as pb
@@ -11,14 +14,36 @@ from sitaf_bridge.world.description.declaration import Description
 from sitaf_bridge.world.devices import KINDS, DeviceDeclaration, Reading
 from sitaf_bridge.world.state import WorldState
 
+Stated = TypeVar("Stated", bound=Message)
+# Number 1, length-delimited.
+STATE_FIELD = b"\x0a"
 Piece = Callable[[WorldState], bytes]
 DOUBLE = struct.Struct("<d")
 
 
 def state_message(state: WorldState) -> pb.WorldState:
     """Encode a world state; equals the encoding of messages built by `readings`."""
+    return pb.WorldState.FromString(_encoded(state))
+
+
+def with_state(response: type[Stated], state: WorldState) -> Stated:
+    """A response with nothing but a state, its field 1, which would be copied if it were given as a message."""
+    encoded = _encoded(state)
+    return response.FromString(STATE_FIELD + _varint(len(encoded)) + encoded)
+
+
+def _encoded(state: WorldState) -> bytes:
     head = pb.WorldState(step=state.step, time_ns=state.time_ns).SerializeToString()
-    return pb.WorldState.FromString(head + b"".join([piece(state) for piece in _layout(state.declared)]))
+    return head + b"".join([piece(state) for piece in _layout(state.declared)])
+
+
+def _varint(number: int) -> bytes:
+    parts = bytearray()
+    while number > 0x7F:
+        parts.append(number & 0x7F | 0x80)
+        number >>= 7
+    parts.append(number)
+    return bytes(parts)
 
 
 @lru_cache(maxsize=256)
