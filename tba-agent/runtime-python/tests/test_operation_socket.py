@@ -56,32 +56,32 @@ def path(tmp_path):
 
 
 def step(steps, session=""):
-    return pb.OperateRequest(step=pb.StepSimulationRequest(steps=steps, session_id=session))
+    return "step", pb.StepSimulationRequest(steps=steps, session_id=session)
 
 
 def test_operations_are_answered_and_refusals_have_the_status_of_a_call(path):
     connection = OperationSocket(path)
-    assert connection.operate(step(1), 20).state.step == 1
+    assert connection.operate(*step(1), 20).state.step == 1
     with pytest.raises(Refused) as raised:
-        connection.operate(step(REFUSED), 20)
+        connection.operate(*step(REFUSED), 20)
     assert (raised.value.code(), raised.value.details()) == (grpc.StatusCode.OUT_OF_RANGE, "too far")
-    assert connection.operate(step(2, "s" * 1_000_000), 20).state.step == 2
+    assert connection.operate(*step(2, "s" * 1_000_000), 20).state.step == 2
     connection.close()
 
 
 def test_a_late_answer_is_not_that_of_the_next_operation(path):
     connection = OperationSocket(path)
     with pytest.raises(Refused) as raised:
-        connection.operate(step(UNANSWERED), 0.2)
+        connection.operate(*step(UNANSWERED), 0.2)
     assert raised.value.code() is grpc.StatusCode.DEADLINE_EXCEEDED
-    assert connection.operate(step(3), 20).state.step == 3
+    assert connection.operate(*step(3), 20).state.step == 3
     connection.close()
 
 
 def test_a_simulator_that_has_gone_is_unavailable(path):
     connection = OperationSocket(path)
     with pytest.raises(Refused) as raised:
-        connection.operate(step(LAST), 20)
+        connection.operate(*step(LAST), 20)
     assert raised.value.code() is grpc.StatusCode.UNAVAILABLE
     connection.close()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 
@@ -17,9 +17,8 @@ class PendingCommands:
 
     def __init__(self, world: pb.WorldDescription) -> None:
         self._limits = {
-            (device.name, number.name): (number.min, number.max)
+            device.name: {number.name: (number.min, number.max) for number in device.commands}
             for device in world.devices
-            for number in device.commands
         }
         self._bounds = {device.name: tuple(device.bounds) for device in world.devices}
         self._commands: list[pb.DeviceCommand] = []
@@ -35,12 +34,15 @@ class PendingCommands:
 
     def is_acceptable(self, command: pb.DeviceCommand) -> bool:
         """Whether the device is known to accept a command: its numbers are finite and within limits."""
-        numbers = dict(_numbers(command))
-        return (
-            bool(numbers)
-            and all(self._is_within(command.device, name, value) for name, value in numbers.items())
-            and all(_is_inside(bound, numbers) for bound in self._bounds.get(command.device, ()))
-        )
+        numbers = _numbers(command)
+        limits = self._limits.get(command.device)
+        if not numbers or limits is None:
+            return False
+        for name, value in numbers.items():
+            accepted = limits.get(name)
+            if accepted is None or not math.isfinite(value) or not accepted[0] <= value <= accepted[1]:
+                return False
+        return all(_is_inside(bound, numbers) for bound in self._bounds[command.device])
 
     def add(self, command: pb.DeviceCommand) -> None:
         """Add a command that is acceptable."""
@@ -53,26 +55,20 @@ class PendingCommands:
             taken, self._commands = self._commands, []
             return taken
 
-    def _is_within(self, device: str, name: str, value: float) -> bool:
-        limits = self._limits.get((device, name))
-        return limits is not None and math.isfinite(value) and limits[0] <= value <= limits[1]
-
 
 def _is_inside(bound: pb.CommandBound, numbers: Mapping[str, float]) -> bool:
     total = sum(factor * numbers.get(name, 0.0) for name, factor in bound.factors.items())
     return bound.min <= total <= bound.max
 
 
-def _numbers(command: pb.DeviceCommand) -> Iterable[tuple[str, float]]:
+def _numbers(command: pb.DeviceCommand) -> dict[str, float]:
     form: str | None = command.WhichOneof("command")
     if form == "joint":
-        target: str | None = command.joint.WhichOneof("target")
-        if target is not None:
-            yield target, getattr(command.joint, target)
-    elif form == "drive":
-        yield "linear", command.drive.linear
-        yield "angular", command.drive.angular
-    elif form == "gripper":
-        yield "width", command.gripper.width_m
-    elif form == "level":
-        yield "level", float(command.level)
+        joint = command.joint
+        target: str | None = joint.WhichOneof("target")
+        return {} if target is None else {target: getattr(joint, target)}
+    if form == "drive":
+        return {"linear": command.drive.linear, "angular": command.drive.angular}
+    if form == "gripper":
+        return {"width": command.gripper.width_m}
+    return {"level": float(command.level)} if form == "level" else {}

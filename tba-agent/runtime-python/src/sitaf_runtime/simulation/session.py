@@ -75,7 +75,7 @@ class Simulation:
         )
         self._pending = PendingCommands(created.world)
         # Steps that the simulator gets with the next exchange, each with its commands.
-        self._unread: list[pb.LaterSteps] = []
+        self._unread: list[tuple[int, list[pb.DeviceCommand]]] = []
         self._keeps_back = False
         # Commands to real devices are not kept back.
         self._real_time: bool = created.real_time
@@ -328,7 +328,7 @@ class Simulation:
         self._before_time_passes(self.now_ns)
         self._update_session()
         self._spend(steps * self._timestep_ns)
-        self._unread.append(pb.LaterSteps(steps=steps, commands=self._pending.take()))
+        self._unread.append((steps, self._pending.take()))
         if not self._keeps_back or len(self._unread) >= _MAX_UNREAD:
             self.catch_up()
 
@@ -336,13 +336,16 @@ class Simulation:
         """Send the steps that nobody read, and get the state after them."""
         if not self._unread:
             return
-        (first, *later), self._unread = self._unread, []
+        unread, self._unread = self._unread, []
+        (steps, commands), *later = unread
         request = pb.StepSimulationRequest(
-            session_id=self._session, steps=first.steps, commands=first.commands, later=later
+            session_id=self._session,
+            steps=steps,
+            commands=commands,
+            later=[pb.LaterSteps(steps=count, commands=given) for count, given in later],
         )
-        steps = sum(each.steps for each in (first, *later))
-        what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
-        commanded = any(each.commands for each in (first, *later))
+        what = f"advancing by {sum(count for count, _ in unread) * self._timestep_ns / _NANOS:g} s"
+        commanded = any(given for _, given in unread)
         call = self._connection.command if commanded else self._connection.ask
         self._hardware.world = self._layout.freeze(call(what, self._connection.step, request).state)
 

@@ -72,7 +72,7 @@ class Connection:
         """Run an operation; the answer has its `state`."""
         if self._operations is None:
             return unary(request, timeout=timeout)
-        return self._operations.operate(pb.OperateRequest(**{name: request}), timeout)
+        return self._operations.operate(name, request, timeout)
 
     def ask(self, what: str, call: Callable[..., Any], request: object) -> Any:
         """Make a call. Raises SimulationError, which names what it was for."""

@@ -13,6 +13,8 @@ from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 
 _LENGTH = struct.Struct("<I")
 _CODES = {code.value[0]: code for code in grpc.StatusCode}
+# What precedes the length and the bytes of a field that is a message.
+_TAGS = {field.name: bytes([field.number << 3 | 2]) for field in pb.OperateRequest.DESCRIPTOR.fields}
 # For the answer to a ping, after which the socket is used.
 _PING_TIMEOUT_S = 5.0
 
@@ -42,16 +44,16 @@ class OperationSocket:
         self._lock = threading.Lock()
         self._socket = self._connected()
         try:
-            self._exchange(pb.OperateRequest(ping=pb.PingRequest()), _PING_TIMEOUT_S)
+            self._exchange("ping", pb.PingRequest(), _PING_TIMEOUT_S)
         except BaseException:
             self.close()
             raise
 
-    def operate(self, request: pb.OperateRequest, timeout_s: float) -> Any:
-        """Run an operation; the answer has its `state`. Raises Refused."""
+    def operate(self, name: str, request: Any, timeout_s: float) -> Any:
+        """Run an operation, named as in OperateRequest; the answer has its `state`. Raises Refused."""
         try:
             with self._lock:
-                answer = self._exchange(request, timeout_s)
+                answer = self._exchange(name, request, timeout_s)
         except TimeoutError:
             raise Refused(grpc.StatusCode.DEADLINE_EXCEEDED, f"no answer within {timeout_s:g} s") from None
         except OSError as e:
@@ -75,13 +77,15 @@ class OperationSocket:
             raise
         return connection
 
-    def _exchange(self, request: pb.OperateRequest, timeout_s: float) -> pb.OperateResponse:
+    def _exchange(self, name: str, request: Any, timeout_s: float) -> pb.OperateResponse:
         if self._socket.fileno() < 0:
             self._socket = self._connected()
         try:
             self._socket.settimeout(timeout_s)
             message = request.SerializeToString()
-            self._socket.sendall(_LENGTH.pack(len(message)) + message)
+            # An OperateRequest with this message would copy it.
+            head = _TAGS[name] + _varint(len(message))
+            self._socket.sendall(_LENGTH.pack(len(head) + len(message)) + head + message)
             (length,) = _LENGTH.unpack(self._read(_LENGTH.size))
             return pb.OperateResponse.FromString(self._read(length))
         except BaseException:
@@ -100,3 +104,12 @@ class OperationSocket:
                 return bytes(read)
             piece = self._socket.recv(length - len(read))
         raise ConnectionError("end of stream")
+
+
+def _varint(number: int) -> bytes:
+    parts = bytearray()
+    while number > 0x7F:
+        parts.append(number & 0x7F | 0x80)
+        number >>= 7
+    parts.append(number)
+    return bytes(parts)
