@@ -1,6 +1,5 @@
 package org.sitaf.server.build;
 
-import java.time.Clock;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
@@ -24,12 +23,10 @@ public class BuildQueue {
           + " AND (not_before IS NULL OR not_before <= :now)";
 
   private final JdbcClient jdbc;
-  private final Clock clock;
   private final String claim;
 
-  BuildQueue(JdbcClient jdbc, Database database, Clock clock) {
+  BuildQueue(JdbcClient jdbc, Database database) {
     this.jdbc = jdbc;
-    this.clock = clock;
     // H2 has a single server, and SKIP LOCKED is slow there.
     this.claim =
         "SELECT id FROM build WHERE id = ? AND state = 'QUEUED' AND shards = 0 FOR UPDATE"
@@ -40,12 +37,17 @@ public class BuildQueue {
   public record QueuedBuild(
       String id, String activityId, Requirements requirements, int priority, Instant created) {}
 
-  /** The distinct requirements of the queued builds. */
+  /**
+   * The distinct requirements of the queued builds whose delay has ended.
+   *
+   * @param now the same for all queries of one look at the queue: a build whose delay ends between
+   *     two of them would be neither ready nor delayed
+   */
   @Transactional(readOnly = true)
-  public List<Requirements> requirements() {
+  public List<Requirements> requirements(Instant now) {
     return jdbc
         .sql("SELECT DISTINCT requirements" + READY)
-        .param("now", now())
+        .param("now", utc(now))
         .query(String.class)
         .list()
         .stream()
@@ -59,7 +61,7 @@ public class BuildQueue {
    * @param limit maximum number per activity and requirements
    */
   @Transactional(readOnly = true)
-  public List<QueuedBuild> first(Collection<Requirements> requirements, int limit) {
+  public List<QueuedBuild> first(Collection<Requirements> requirements, int limit, Instant now) {
     return jdbc.sql(
             "SELECT id, activity_id, requirements, priority, created FROM ("
                 + "SELECT id, activity_id, requirements, priority, created,"
@@ -67,7 +69,7 @@ public class BuildQueue {
                 + " ORDER BY priority DESC, created, id) AS place"
                 + READY
                 + " AND requirements IN (:requirements)) ready WHERE place <= :limit")
-        .param("now", now())
+        .param("now", utc(now))
         .param("requirements", requirements.stream().map(Requirements::text).toList())
         .param("limit", limit)
         .query(
@@ -96,12 +98,12 @@ public class BuildQueue {
 
   /** When the delay of the next delayed build ends. */
   @Transactional(readOnly = true)
-  public Optional<Instant> nextDelayEnd() {
+  public Optional<Instant> nextDelayEnd(Instant now) {
     return jdbc.sql(
             "SELECT not_before FROM build"
                 + " WHERE state = 'QUEUED' AND shards = 0 AND not_before > :now"
                 + " ORDER BY not_before LIMIT 1")
-        .param("now", now())
+        .param("now", utc(now))
         .query((row, index) -> row.getObject(1, OffsetDateTime.class).toInstant())
         .optional();
   }
@@ -116,7 +118,7 @@ public class BuildQueue {
     return jdbc.sql(claim).param(buildId).query(String.class).optional().isPresent();
   }
 
-  private OffsetDateTime now() {
-    return clock.instant().atOffset(ZoneOffset.UTC);
+  private static OffsetDateTime utc(Instant time) {
+    return time.atOffset(ZoneOffset.UTC);
   }
 }

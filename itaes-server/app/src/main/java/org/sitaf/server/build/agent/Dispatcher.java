@@ -22,6 +22,7 @@ import org.sitaf.server.settings.Database;
 import org.sitaf.server.storage.DiskSpace;
 import org.sitaf.server.storage.DiskSpaceRecovered;
 import org.sitaf.server.timer.DaemonTimer;
+import org.sitaf.server.timer.WakeUp;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.SmartLifecycle;
@@ -49,7 +50,7 @@ class Dispatcher implements SmartLifecycle {
   private final AtomicBoolean due = new AtomicBoolean();
   private volatile boolean running;
   private ScheduledExecutorService thread = DaemonTimer.named("dispatcher");
-  private Instant wakesAt = Instant.MAX;
+  private WakeUp whenADelayEnds = new WakeUp(thread, this::wake);
 
   Dispatcher(
       Leases leases,
@@ -95,20 +96,21 @@ class Dispatcher implements SmartLifecycle {
       if (disk.whyNoNewWork().isPresent()) {
         return;
       }
+      Instant now = clock.instant();
       List<AgentSession> free = freeAgents();
       List<Requirements> met =
           free.isEmpty()
               ? List.of()
-              : queue.requirements().stream()
+              : queue.requirements(now).stream()
                   .filter(r -> free.stream().anyMatch(a -> canRun(a, r)))
                   .toList();
       if (!met.isEmpty()) {
         int slots = free.stream().mapToInt(AgentSession::freeSlots).sum();
         List<QueuedBuild> waiting =
-            new ArrayList<>(queue.first(met, Math.min(Math.max(slots, 1), MAX_WINDOW)));
+            new ArrayList<>(queue.first(met, Math.min(Math.max(slots, 1), MAX_WINDOW), now));
         assign(waiting, free, queue.active());
       }
-      queue.nextDelayEnd().ifPresent(this::wakeAt);
+      queue.nextDelayEnd(now).ifPresent(when -> whenADelayEnds.at(when, clock.instant()));
     } catch (RuntimeException e) {
       // The builds are dispatched with the next change.
       if (running) {
@@ -181,19 +183,11 @@ class Dispatcher implements SmartLifecycle {
     }
   }
 
-  private void wakeAt(Instant when) {
-    Instant now = clock.instant();
-    if (wakesAt.isBefore(now) || when.isBefore(wakesAt)) {
-      wakesAt = when;
-      long delayMs = Math.max(0, Duration.between(now, when).toMillis()) + 1;
-      var unused = thread.schedule(this::wake, delayMs, TimeUnit.MILLISECONDS);
-    }
-  }
-
   @Override
   public void start() {
     if (thread.isShutdown()) {
       thread = DaemonTimer.named("dispatcher");
+      whenADelayEnds = new WakeUp(thread, this::wake);
     }
     running = true;
     wake();
