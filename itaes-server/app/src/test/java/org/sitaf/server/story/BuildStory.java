@@ -279,7 +279,8 @@ abstract class BuildStory extends AnalysisStory {
     String id = api.build(suiteId);
     try (FakeAgent agent = FakeAgent.register(grpcPort(), "alive", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
-      for (int i = 0; i < 14; i++) {
+      // For longer than a lease.
+      for (int i = 0; i < 28; i++) {
         Thread.sleep(400);
         agent.heartbeat(attempt);
       }

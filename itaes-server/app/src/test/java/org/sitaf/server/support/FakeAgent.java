@@ -248,11 +248,16 @@ public final class FakeAgent implements AutoCloseable {
 
   public ServerMessage next() {
     try {
-      ServerMessage message = received.poll(TIMEOUT_S, TimeUnit.SECONDS);
-      if (message == null) {
-        throw new AssertionError("no message from the server");
+      for (int second = 0; second < TIMEOUT_S; second++) {
+        ServerMessage message = received.poll(1, TimeUnit.SECONDS);
+        if (message != null) {
+          return message;
+        }
+        if (end.isDone()) {
+          throw new AssertionError("the server closed the stream", end.getNow(null));
+        }
       }
-      return message;
+      throw new AssertionError("no message from the server");
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IllegalStateException(e);

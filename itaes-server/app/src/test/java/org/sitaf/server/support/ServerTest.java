@@ -24,7 +24,8 @@ import org.springframework.test.context.DynamicPropertySource;
       "spring.grpc.server.port=0",
       // As weak as allowed: the tests sign in hundreds of times.
       "sitaf.access.password-strength=10",
-      "sitaf.lease=4s",
+      // An agent of a test that sends nothing meanwhile is disconnected.
+      "sitaf.lease=10s",
       "sitaf.retry-delay=50ms",
       "sitaf.max-log=64KB",
       "sitaf.max-recordings=1MB",
