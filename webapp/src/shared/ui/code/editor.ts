@@ -126,6 +126,32 @@ export interface Editor {
   reveal: (line: number) => void;
 }
 
+/**
+ * Tells texts that a page sets from those that were typed. A page gives back what it got from an
+ * editor, on a busy machine after the next keys: to set that would undo them and move the cursor.
+ */
+class GivenText {
+  /** Reported to the page, which has not given them back. */
+  private reported: string[] = [];
+
+  constructor(private last: string) {}
+
+  /** Notes a text that is reported to the page. */
+  typed(text: string): string {
+    this.reported.push(text);
+    return text;
+  }
+
+  /** Whether the page sets another text than the last one and those that it got. */
+  isNew(text: string): boolean {
+    if (text === this.last) return false;
+    this.last = text;
+    const position = this.reported.indexOf(text);
+    this.reported = position < 0 ? [] : this.reported.slice(position + 1);
+    return position < 0;
+  }
+}
+
 function basics(path: string, dark: boolean, label: string): Extension[] {
   return [
     lineNumbers(),
@@ -143,6 +169,7 @@ function basics(path: string, dark: boolean, label: string): Extension[] {
 
 export function createEditor(settings: EditorSettings): Editor {
   const { parent, path, text, dark, readOnly, label, marks, onChange } = settings;
+  const given = new GivenText(text);
   const editable = new Compartment();
   const view = new EditorView({
     parent,
@@ -157,7 +184,7 @@ export function createEditor(settings: EditorSettings): Editor {
         // Tab leaves the editor, for keyboard users.
         editable.of([EditorState.readOnly.of(readOnly)]),
         EditorView.updateListener.of((update) => {
-          if (update.docChanged) onChange(update.state.doc.toString());
+          if (update.docChanged) onChange(given.typed(update.state.doc.toString()));
         }),
       ],
     }),
@@ -169,7 +196,7 @@ export function createEditor(settings: EditorSettings): Editor {
       view.destroy();
     },
     setText: (next) => {
-      if (next === view.state.doc.toString()) return;
+      if (!given.isNew(next) || next === view.state.doc.toString()) return;
       view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: next } });
     },
     reveal: (line) => {
@@ -222,6 +249,7 @@ export interface FormulaSettings {
 /** A CEL editor with completion of names. */
 export function createFormula(settings: FormulaSettings): Editor {
   const { parent, text, dark, label, words, onChange } = settings;
+  const given = new GivenText(text);
   const complete: CompletionSource = (context) => {
     const word = context.matchBefore(/[\w.[\]]*/);
     if (!word || (word.from === word.to && !context.explicit)) return null;
@@ -246,7 +274,7 @@ export function createFormula(settings: FormulaSettings): Editor {
         autocompletion({ override: [complete] }),
         keymap.of([...defaultKeymap, ...historyKeymap]),
         EditorView.updateListener.of((update) => {
-          if (update.docChanged) onChange(update.state.doc.toString());
+          if (update.docChanged) onChange(given.typed(update.state.doc.toString()));
         }),
       ],
     }),
@@ -256,7 +284,7 @@ export function createFormula(settings: FormulaSettings): Editor {
       view.destroy();
     },
     setText: (next) => {
-      if (next === view.state.doc.toString()) return;
+      if (!given.isNew(next) || next === view.state.doc.toString()) return;
       view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: next } });
     },
     reveal: () => {
