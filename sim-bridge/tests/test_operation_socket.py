@@ -13,7 +13,7 @@ from pathlib import Path
 import grpc
 import pytest
 
-from sitaf_bridge.server.operation_socket import MAX_FRAME_BYTES, beside
+from sitaf_bridge.server.operation_socket import MAX_FRAME_BYTES, path_of_operations
 from sitaf_bridge.wire import simulation_pb2 as pb
 from tests.client import Bridge, TestSession, ir_world, running_bridge, world
 
@@ -48,7 +48,7 @@ class Line:
     """A connection to the socket of operations of a bridge."""
 
     def __init__(self, bridge: Bridge) -> None:
-        path = beside(Path(bridge.address.removeprefix("unix:")))
+        path = path_of_operations(Path(bridge.address.removeprefix("unix:")))
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.settimeout(20)
         self.socket.connect(str(path))

@@ -18,7 +18,7 @@ import grpc
 from sitaf_bridge.errors import Forbidden, InvalidRequest, NoSuchEndpoint, NoSuchSession, Unavailable
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.hardware import VirtualHardware
-from sitaf_bridge.server.operation_socket import OperationSocket, beside
+from sitaf_bridge.server.operation_socket import OperationSocket, path_of_operations
 from sitaf_bridge.server.status import answering
 from sitaf_bridge.server.wire import source_of
 from sitaf_bridge.session.registry import Registry
@@ -90,7 +90,7 @@ class Endpoint:
         self.sessions = Registry(default_lease_s=lease_s, max_sessions=1)
         self._pool = ThreadPoolExecutor(threads, thread_name_prefix="call")
         self._server = grpc.server(self._pool, options=SERVER_OPTIONS, maximum_concurrent_rpcs=MAX_CALLS)
-        operations = beside(path)
+        operations = path_of_operations(path)
         control = SimulationControl(
             catalog, self.sessions, self.signals, hardware, operation_socket=operations is not None
         )

@@ -6,6 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sitaf_bridge.errors import InvalidRequest, LimitReached
+from sitaf_bridge.server.packing import varint
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.world.driving.many import Cases, prepare_many
 from sitaf_bridge.world.world import World
@@ -37,16 +38,7 @@ def prepare_many_response(
         raise LimitReached(f"the response has {readings.size} numbers; the limit is {MAX_NUMBERS}; request fewer cases")
     # Encoded directly, because appending single numbers would take longer than the simulation.
     packed = readings.astype("<f8", copy=False).tobytes()
-    response = pb.PrepareManyResponse.FromString(READINGS_TAG + _varint(len(packed)) + packed)
+    response = pb.PrepareManyResponse.FromString(READINGS_TAG + varint(len(packed)) + packed)
     response.columns.extend(columns)
     response.diverged_cases.extend(diverged)
     return response
-
-
-def _varint(number: int) -> bytes:
-    encoded = bytearray()
-    while number > 127:
-        encoded.append(number & 127 | 128)
-        number >>= 7
-    encoded.append(number)
-    return bytes(encoded)

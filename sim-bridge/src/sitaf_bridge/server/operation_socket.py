@@ -16,6 +16,8 @@ from pathlib import Path
 
 from google.protobuf.message import DecodeError
 
+from sitaf_bridge.server.address import UNIX_PATH_LIMIT
+from sitaf_bridge.server.operations import IsActive
 from sitaf_bridge.wire import simulation_pb2 as pb
 
 SUFFIX = ".ops"
@@ -23,18 +25,16 @@ MAX_FRAME_BYTES = 64 * 1024 * 1024
 LENGTH = struct.Struct("<I")
 # A frame's bytes are stored as they arrive: a length alone costs nothing.
 PIECE_BYTES = 64 * 1024
-# The longest path of a Unix socket.
-PATH_LIMIT = 107
+RETRY_S = 0.05
 
-IsActive = Callable[[], bool]
 # Returns an encoded OperateResponse.
 Operate = Callable[[pb.OperateRequest, IsActive], bytes]
 
 
-def beside(grpc_socket: Path) -> Path | None:
+def path_of_operations(grpc_socket: Path) -> Path | None:
     """The path of the socket of operations that belongs to a gRPC socket; None if it would be too long."""
     path = grpc_socket.with_name(grpc_socket.name + SUFFIX)
-    return path if len(os.fsencode(path)) <= PATH_LIMIT else None
+    return path if len(os.fsencode(path)) <= UNIX_PATH_LIMIT else None
 
 
 class OperationSocket:
@@ -89,7 +89,8 @@ class OperationSocket:
             except OSError:
                 if self._closed:
                     return
-                # Too many open files, or the client has gone.
+                # The client has gone, or too many files are open.
+                time.sleep(RETRY_S)
                 continue
             thread = threading.Thread(target=self._serve, args=(connection,), name="operation", daemon=True)
             with self._lock:
@@ -101,8 +102,8 @@ class OperationSocket:
 
     def _serve(self, connection: socket.socket) -> None:
         try:
-            # The client has gone, or has sent what is no frame.
             is_open = partial(_is_open, connection)
+            # Until the client has gone, or has sent what is no frame.
             with suppress(OSError, EOFError, DecodeError):
                 while True:
                     request = pb.OperateRequest.FromString(_read_frame(connection))

@@ -29,7 +29,7 @@ def state_message(state: WorldState) -> pb.WorldState:
 def with_state(response: type[Stated], state: WorldState) -> Stated:
     """A response with nothing but a state, its field 1, which would be copied if it were given as a message."""
     encoded = _encoded(state)
-    return response.FromString(STATE_FIELD + _varint(len(encoded)) + encoded)
+    return response.FromString(STATE_FIELD + varint(len(encoded)) + encoded)
 
 
 def _encoded(state: WorldState) -> bytes:
@@ -37,13 +37,14 @@ def _encoded(state: WorldState) -> bytes:
     return head + b"".join([piece(state) for piece in _layout(state.declared)])
 
 
-def _varint(number: int) -> bytes:
-    parts = bytearray()
-    while number > 0x7F:
-        parts.append(number & 0x7F | 0x80)
+def varint(number: int) -> bytes:
+    """Encode a length."""
+    encoded = bytearray()
+    while number > 127:
+        encoded.append(number & 127 | 128)
         number >>= 7
-    parts.append(number)
-    return bytes(parts)
+    encoded.append(number)
+    return bytes(encoded)
 
 
 @lru_cache(maxsize=256)

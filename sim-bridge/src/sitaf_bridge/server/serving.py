@@ -12,7 +12,7 @@ from sitaf_bridge.server.address import Address, BadAddress, Guard, TokenCheck
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.endpoints import SERVER_OPTIONS, Administration, Endpoints
 from sitaf_bridge.server.hardware import VirtualHardware
-from sitaf_bridge.server.operation_socket import OperationSocket, beside
+from sitaf_bridge.server.operation_socket import OperationSocket, path_of_operations
 from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.wire import administration_pb2_grpc, simulation_pb2_grpc
 from sitaf_bridge.world.catalog import Catalog
@@ -42,7 +42,9 @@ def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
     checks: list[grpc.ServerInterceptor] = [] if guard is None else [TokenCheck(guard.token)]
     server = grpc.server(pool, options=SERVER_OPTIONS, interceptors=checks)
     # Its connections could not be asked for the token.
-    operations = beside(settings.address.path) if settings.address.path is not None and guard is None else None
+    operations = (
+        path_of_operations(settings.address.path) if settings.address.path is not None and guard is None else None
+    )
     control = SimulationControl(catalog, registry, operation_socket=operations is not None)
     simulation_pb2_grpc.add_SimulationControlServicer_to_server(control, server)
     simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(
