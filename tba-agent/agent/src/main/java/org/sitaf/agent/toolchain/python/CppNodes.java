@@ -24,6 +24,7 @@ import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.OneTimeCompilation;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.python.environment.Environments;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.digest.Sha256;

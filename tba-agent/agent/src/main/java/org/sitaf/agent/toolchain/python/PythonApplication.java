@@ -18,6 +18,7 @@ import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 import org.sitaf.agent.toolchain.debug.DebugPlace;
 import org.sitaf.agent.toolchain.debug.Debuggee;
+import org.sitaf.agent.toolchain.python.environment.Environments;
 import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.verdict.Coverage;
 

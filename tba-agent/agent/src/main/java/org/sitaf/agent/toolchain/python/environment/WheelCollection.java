@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -121,7 +121,7 @@ final class WheelCollection {
   private List<Path> fetchBuildTools(List<String> wanted)
       throws IOException, InterruptedException, PackageException {
     Path folder = tools.folder();
-    ToolResult fetched = fetchAlone(folder, wanted, List.of(), List.of());
+    ToolResult fetched = fetchAlone(folder, wanted, List.of(), List.of(), List.of());
     if (fetched.code() != 0) {
       throw new PackageException("build requirements: " + tools.errorOf(fetched));
     }
@@ -131,10 +131,20 @@ final class WheelCollection {
   private ToolResult fetch(Path folder, List<String> wanted, Path known)
       throws IOException, InterruptedException, PackageException {
     Path stubs = tools.folder();
+    List<Path> given = new ArrayList<>(wanted(LocalWheel.wheelsIn(known)));
     for (LocalWheel wheel : local) {
-      wheel.writeStub(stubs);
+      given.add(wheel.writeStub(stubs));
     }
-    return fetchAlone(folder, wanted, constraints(), List.of(known, stubs));
+    return fetchAlone(folder, wanted, constraints(), given, List.of(known));
+  }
+
+  /** Those that a line names with their release: pip need not look for them in the index. */
+  private List<Path> wanted(List<Path> wheels) {
+    return wheels.stream().filter(wheel -> lines.contains(lineOf(wheel))).toList();
+  }
+
+  private static String lineOf(Path wheel) {
+    return normalized(nameOf(wheel)) + "==" + versionOf(wheel);
   }
 
   /** The releases that pip may choose, one line each. */
@@ -157,12 +167,22 @@ final class WheelCollection {
     return constraints;
   }
 
+  /**
+   * Downloads wheels with what they require.
+   *
+   * @param given files of packages that are not looked for
+   * @param links folders of wheels that need not be downloaded
+   */
   private ToolResult fetchAlone(
-      Path folder, List<String> wanted, List<String> constraints, List<Path> links)
+      Path folder,
+      List<String> wanted,
+      List<String> constraints,
+      List<Path> given,
+      List<Path> links)
       throws IOException, InterruptedException {
-    List<String> given = new ArrayList<>(wanted);
-    given.addAll(constraints);
-    for (String line : given) {
+    List<String> all = new ArrayList<>(wanted);
+    all.addAll(constraints);
+    for (String line : all) {
       // Lines are checked when they are added; nothing else may reach pip.
       if (!Requirements.isPackage(line)) {
         throw new IllegalArgumentException("'" + line + "' is not a package");
@@ -188,6 +208,10 @@ final class WheelCollection {
       arguments.addAll(List.of("--constraint", releases.toString()));
       readable.add(releases);
     }
+    for (Path wheel : given) {
+      arguments.add(wheel.toString());
+      readable.add(wheel);
+    }
     for (Path link : links) {
       arguments.addAll(List.of("--find-links", link.toString()));
       readable.add(link);
@@ -197,7 +221,7 @@ final class WheelCollection {
 
   /** Downloads packages that have wheels into a folder; returns pip's result. */
   ToolResult fetch(Path folder) throws IOException, InterruptedException {
-    return fetchAlone(folder, lines, List.of(), List.of());
+    return fetchAlone(folder, lines, List.of(), List.of(), List.of());
   }
 
   private List<Path> all(Path folder) throws IOException, PackageException {
@@ -233,13 +257,10 @@ final class WheelCollection {
     for (Path wheel : collected) {
       LocalWheel own =
           local.stream().filter(each -> each.file().equals(wheel)).findFirst().orElse(null);
-      String file = wheel.getFileName().toString();
       resolved.add(
           own == null
               ? new ResolvedPackage(
-                  normalized(nameOf(wheel)),
-                  file.split("-", 3)[1],
-                  EnvironmentPackages.digest(wheel))
+                  normalized(nameOf(wheel)), versionOf(wheel), EnvironmentPackages.digest(wheel))
               : new ResolvedPackage(
                   own.name(), own.version(), EnvironmentPackages.digest(own.origin())));
     }
@@ -249,6 +270,10 @@ final class WheelCollection {
   private static String nameOf(Path wheel) {
     String file = wheel.getFileName().toString();
     return file.substring(0, file.indexOf('-'));
+  }
+
+  private static String versionOf(Path wheel) {
+    return wheel.getFileName().toString().split("-", 3)[1];
   }
 
   /** Normalizes a name like the index. */

@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -48,20 +48,23 @@ record PackageTools(
     return folder;
   }
 
-  /** Creates a virtual environment with Python's own library only. */
+  /** Creates a virtual environment with Python's own library and pip. */
   ToolResult venv(Path environment) throws IOException, InterruptedException {
-    return run(
-        List.of(
-            interpreter.executable().toString(),
-            "-I",
-            "-m",
-            "venv",
-            "--clear",
-            environment.toString()),
-        folder(),
-        List.of(),
-        List.of(environment),
-        false);
+    return venv(environment, List.of());
+  }
+
+  /** Creates a virtual environment with Python's own library only. */
+  ToolResult emptyVenv(Path environment) throws IOException, InterruptedException {
+    return venv(environment, List.of("--without-pip"));
+  }
+
+  private ToolResult venv(Path environment, List<String> options)
+      throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>();
+    command.addAll(List.of(interpreter.executable().toString(), "-I", "-m", "venv", "--clear"));
+    command.addAll(options);
+    command.add(environment.toString());
+    return run(command, folder(), List.of(), List.of(environment), false);
   }
 
   /** Runs pip of an environment without packages. */
@@ -88,12 +91,31 @@ record PackageTools(
   ToolResult runScript(
       Path environment, Path folder, boolean network, List<Path> readable, String... arguments)
       throws IOException, InterruptedException {
-    List<String> command =
-        new ArrayList<>(List.of(Environments.python(environment).toString(), "-I", "-c", SCRIPT));
-    command.addAll(List.of(arguments));
     List<Path> all = new ArrayList<>(readable);
     all.add(environment);
-    return run(command, folder, all, List.of(), network);
+    return run(script(environment, List.of(arguments)), folder, all, List.of(), network);
+  }
+
+  /**
+   * Installs each wheel alone, without network, into a folder of its own.
+   *
+   * @param trees empty folders by wheel
+   */
+  ToolResult unpack(Path environment, Map<Path, Path> trees)
+      throws IOException, InterruptedException {
+    List<String> arguments = new ArrayList<>(List.of("unpack"));
+    trees.forEach((wheel, tree) -> arguments.addAll(List.of(wheel.toString(), tree.toString())));
+    List<Path> readable = new ArrayList<>(trees.keySet());
+    readable.add(environment);
+    return run(
+        script(environment, arguments), folder(), readable, List.copyOf(trees.values()), false);
+  }
+
+  private static List<String> script(Path environment, List<String> arguments) {
+    List<String> command =
+        new ArrayList<>(List.of(Environments.python(environment).toString(), "-I", "-c", SCRIPT));
+    command.addAll(arguments);
+    return command;
   }
 
   /** Runs a module of the environment on a writable folder. */

@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,7 @@ import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.spool.SharedCache;
@@ -74,6 +75,41 @@ class KeptEnvironmentsTest {
         directory.resolve(second), FileTime.from(Instant.now().minus(Duration.ofDays(20))));
     keeping(BYTES + 500).shrink();
     assertThat(left()).containsExactly(second);
+  }
+
+  /** An unpacked wheel, whose file an environment has too. */
+  private String wheel(int digit, Duration unused, @Nullable String environment)
+      throws IOException {
+    String name = UnpackedWheels.PREFIX + Integer.toString(digit).repeat(24);
+    Path entry = Files.createDirectories(directory.resolve(name));
+    Path module = Files.createDirectories(entry.resolve("tree/lib")).resolve("module.py");
+    Files.write(module, new byte[BYTES]);
+    KeptEnvironments.measure(entry);
+    if (environment != null) {
+      Path folder = directory.resolve(environment);
+      FileTime used = Files.getLastModifiedTime(folder);
+      Files.createLink(folder.resolve("environment/lib/linked.py"), module);
+      KeptEnvironments.measure(folder);
+      Files.setLastModifiedTime(folder, used);
+    }
+    Files.setLastModifiedTime(entry, FileTime.from(Instant.now().minus(unused)));
+    return name;
+  }
+
+  @Test
+  void wheelsThatNoEnvironmentHasAreRemovedFirst() throws Exception {
+    String older = environment(1, Duration.ofDays(30));
+    String newer = environment(2, Duration.ofDays(20));
+    String shared = wheel(3, Duration.ofDays(40), older);
+    String unused = wheel(4, Duration.ofDays(10), null);
+    String recent = wheel(5, Duration.ofHours(1), null);
+
+    keeping(5 * BYTES + 10).shrink();
+    assertThat(left()).containsExactly(older, newer, shared, unused, recent);
+    keeping(5 * BYTES - 1).shrink();
+    assertThat(left()).containsExactly(older, newer, shared, recent);
+    keeping(4 * BYTES - 1).shrink();
+    assertThat(left()).containsExactly(newer, recent);
   }
 
   @Test

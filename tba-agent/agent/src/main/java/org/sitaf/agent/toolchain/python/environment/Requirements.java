@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -23,7 +23,7 @@ import org.sitaf.core.activity.lock.ActivityLock;
  * @param wheels packages that are part of the activity
  * @param lock their exact releases; null if the newest suitable ones are used
  */
-record Requirements(
+public record Requirements(
     List<String> lines, String file, List<Path> wheels, @Nullable ActivityLock lock) {
   private static final String PROFILE = "activity/activity.yaml";
   private static final int MAX_LINE = 300;
@@ -51,16 +51,17 @@ record Requirements(
 
   private static final Pattern COMMENT = Pattern.compile("(^|[ \\t])#.*");
 
-  Requirements {
+  public Requirements {
     lines = List.copyOf(lines);
     wheels = List.copyOf(wheels);
   }
 
   /** An environment without packages of a component. */
-  static final Requirements NONE = new Requirements(List.of(), PROFILE, List.of(), null);
+  public static final Requirements NONE = new Requirements(List.of(), PROFILE, List.of(), null);
 
   /** The environment of ROS 2 nodes without packages of a component. */
-  static final Requirements OF_NODES = new Requirements(List.of(NUMPY), PROFILE, List.of(), null);
+  public static final Requirements OF_NODES =
+      new Requirements(List.of(NUMPY), PROFILE, List.of(), null);
 
   boolean isEmpty() {
     return lines.isEmpty() && wheels.isEmpty();
@@ -74,12 +75,12 @@ record Requirements(
   }
 
   /** Whether a library is a wheel and not a folder of modules. */
-  static boolean isWheel(String library) {
+  public static boolean isWheel(String library) {
     return library.endsWith(".whl");
   }
 
   /** The package of the profile, and the lines of {@code requirements.txt} next to the sources. */
-  static Requirements of(ActivityProfile profile, @Nullable ActivityLock lock, Path activity)
+  public static Requirements of(ActivityProfile profile, @Nullable ActivityLock lock, Path activity)
       throws CompilationException, IOException {
     Component component = profile.component();
     List<String> lines = new ArrayList<>();

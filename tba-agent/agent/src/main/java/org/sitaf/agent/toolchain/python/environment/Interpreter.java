@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
  * @param version such as {@code 3.11.7}
  * @param prefixes folders of its library
  */
-record Interpreter(Path executable, String version, List<Path> prefixes) {
+public record Interpreter(Path executable, String version, List<Path> prefixes) {
   private static final List<String> NAMES =
       List.of("python3", "python3.13", "python3.12", "python3.11", "python");
   private static final String QUERY =
@@ -27,14 +27,14 @@ record Interpreter(Path executable, String version, List<Path> prefixes) {
       """;
   private static final long TIMEOUT_S = 20;
 
-  Interpreter {
+  public Interpreter {
     Objects.requireNonNull(executable);
     Objects.requireNonNull(version);
     prefixes = List.copyOf(prefixes);
   }
 
   /** The first one on the path that is new enough and complete. */
-  static Optional<Interpreter> find() {
+  public static Optional<Interpreter> find() {
     for (String name : NAMES) {
       try {
         Optional<Interpreter> answer = query(name);

@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.sitaf.agent.sandbox.ToolResult;
-import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
+import org.sitaf.agent.toolchain.python.environment.WheelCollection.PackageException;
 
 /**
  * A wheel that does not come from the package index: part of the activity, or built here.
@@ -98,10 +98,11 @@ record LocalWheel(Path file, Path origin, String name, String version, List<Stri
   }
 
   /** Writes an empty wheel of the given name and version without requirements. */
-  void writeStub(Path folder) throws IOException {
+  Path writeStub(Path folder) throws IOException {
     String title = name.replace('-', '_') + "-" + version;
     String info = title + ".dist-info/";
-    try (OutputStream output = Files.newOutputStream(folder.resolve(title + "-py3-none-any.whl"));
+    Path stub = folder.resolve(title + "-py3-none-any.whl");
+    try (OutputStream output = Files.newOutputStream(stub);
         ZipOutputStream zip = new ZipOutputStream(output)) {
       entry(
           zip,
@@ -113,6 +114,7 @@ record LocalWheel(Path file, Path origin, String name, String version, List<Stri
           "Wheel-Version: 1.0\nGenerator: sitaf\nRoot-Is-Purelib: true\nTag: py3-none-any\n");
       entry(zip, info + "RECORD", info + "METADATA,,\n" + info + "WHEEL,,\n" + info + "RECORD,,\n");
     }
+    return stub;
   }
 
   private static void entry(ZipOutputStream zip, String name, String text) throws IOException {

@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.sitaf.agent.sandbox.ToolResult;
-import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
+import org.sitaf.agent.toolchain.python.environment.WheelCollection.PackageException;
 
 /**
  * Builds the wheel of a package that the index has only as source. The build runs without network
@@ -110,7 +110,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
     if (made.code() != 0) {
       throw new IOException("python -m venv: " + tools.errorOf(made));
     }
-    ToolResult installed = install(tools, build, wheels);
+    ToolResult installed = install(build, wheels);
     if (installed.code() != 0) {
       throw new PackageException(name + ": " + tools.errorOf(installed));
     }
@@ -118,7 +118,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
   }
 
   /** Installs only these wheels, without network. */
-  static ToolResult install(PackageTools tools, Path environment, List<Path> wheels)
+  private ToolResult install(Path build, List<Path> wheels)
       throws IOException, InterruptedException {
     List<String> arguments =
         new ArrayList<>(
@@ -127,9 +127,10 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
                 "--no-index",
                 "--no-deps",
                 "--no-cache-dir",
+                "--no-compile",
                 "--no-warn-script-location"));
     wheels.forEach(wheel -> arguments.add(wheel.toString()));
-    return tools.pip(environment, tools.folder(), arguments, wheels, List.of(environment), false);
+    return tools.pip(build, tools.folder(), arguments, wheels, List.of(build), false);
   }
 
   private static String value(ToolResult answer, String word) throws PackageException {

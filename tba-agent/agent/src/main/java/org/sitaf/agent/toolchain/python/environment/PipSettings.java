@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param readable files and folders that they refer to
  * @param configuration the user's configuration file, which may be private; null for none
  */
-record PipSettings(
+public record PipSettings(
     Map<String, String> environment, List<Path> readable, @Nullable Path configuration) {
   private static final List<String> VARIABLES =
       List.of(
@@ -41,13 +41,13 @@ record PipSettings(
           "SSL_CERT_FILE",
           "REQUESTS_CA_BUNDLE");
 
-  PipSettings {
+  public PipSettings {
     environment = Map.copyOf(environment);
     readable = List.copyOf(readable);
   }
 
   /** The settings of the agent's user. */
-  static PipSettings ofThisMachine() {
+  public static PipSettings ofThisMachine() {
     return of(System.getenv(), Path.of(System.getProperty("user.home")));
   }
 

@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
@@ -8,7 +8,9 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.time.Duration;
 import java.util.HashMap;
@@ -47,24 +49,34 @@ final class LocalIndex implements AutoCloseable {
             Duration.ofMinutes(4),
             sandbox);
     Path cache = Files.createDirectories(directory.resolve("cache"));
-    copyBaseWheels(shared, cache);
+    copyBase(shared, cache);
     Map<String, String> variables = new HashMap<>(System.getenv());
     variables.put("PIP_EXTRA_INDEX_URL", url());
     return new Environments(interpreter, runtime, cache, PipSettings.of(variables, directory));
   }
 
-  private static void copyBaseWheels(Path from, Path to) throws IOException {
+  /** Copies what every environment has in common. */
+  private static void copyBase(Path from, Path to) throws IOException {
     try (Stream<Path> entries = Files.list(from)) {
-      for (Path entry :
-          entries.filter(e -> e.getFileName().toString().startsWith("wheels-")).toList()) {
-        Path copy = Files.createDirectories(to.resolve(entry.getFileName().toString()));
-        try (Stream<Path> wheels = Files.list(entry)) {
-          for (Path wheel : wheels.toList()) {
-            Files.copy(wheel, copy.resolve(wheel.getFileName().toString()));
+      for (Path entry : entries.filter(LocalIndex::isCommon).toList()) {
+        try (Stream<Path> paths = Files.walk(entry)) {
+          for (Path path : (Iterable<Path>) paths::iterator) {
+            Files.copy(
+                path,
+                to.resolve(from.relativize(path).toString()),
+                StandardCopyOption.COPY_ATTRIBUTES,
+                LinkOption.NOFOLLOW_LINKS);
           }
         }
       }
     }
+  }
+
+  private static boolean isCommon(Path entry) {
+    String name = entry.getFileName().toString();
+    return name.startsWith("wheels-")
+        || name.startsWith("pip-")
+        || name.startsWith(UnpackedWheels.PREFIX);
   }
 
   String url() {
@@ -138,6 +150,11 @@ final class LocalIndex implements AutoCloseable {
   /** A wheel of another release. */
   static byte[] release(String name, String version, String module, String... requires)
       throws IOException {
+    return zip(files(name, version, module, requires));
+  }
+
+  /** The files of a wheel. */
+  static Map<String, String> files(String name, String version, String module, String... requires) {
     StringBuilder metadata = new StringBuilder("Metadata-Version: 2.1\nName: " + name);
     metadata.append("\nVersion: ").append(version).append('\n');
     for (String required : requires) {
@@ -145,16 +162,15 @@ final class LocalIndex implements AutoCloseable {
     }
     String info = name.replace('-', '_') + "-" + version + ".dist-info/";
     String file = name.replace('-', '_') + ".py";
-    return zip(
-        Map.of(
-            file,
-            module,
-            info + "METADATA",
-            metadata.toString(),
-            info + "WHEEL",
-            "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
-            info + "RECORD",
-            file + ",,\n" + info + "METADATA,,\n" + info + "WHEEL,,\n" + info + "RECORD,,\n"));
+    return Map.of(
+        file,
+        module,
+        info + "METADATA",
+        metadata.toString(),
+        info + "WHEEL",
+        "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+        info + "RECORD",
+        file + ",,\n" + info + "METADATA,,\n" + info + "WHEEL,,\n" + info + "RECORD,,\n");
   }
 
   @Override

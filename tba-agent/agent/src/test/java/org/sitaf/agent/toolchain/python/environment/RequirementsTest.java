@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.python;
+package org.sitaf.agent.toolchain.python.environment;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.CompilationException;
-import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
+import org.sitaf.agent.toolchain.python.environment.WheelCollection.PackageException;
 
 /** pip gets packages of the index only. */
 class RequirementsTest {
