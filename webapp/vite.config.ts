@@ -35,5 +35,8 @@ export default defineConfig({
     include: ['test/**/*.test.{ts,tsx}'],
     setupFiles: ['test/support/setup.ts'],
     testTimeout: 120_000,
+    // Files of a worker share the modules of the portal, which take seconds to load. Each test has a server of its own.
+    isolate: false,
+    pool: 'threads',
   },
 });

@@ -11,5 +11,5 @@ export function openPortal(server: FakeServer, address = '/') {
   const history = createMemoryHistory({ initialEntries: [address] });
   const api = createApi(server.url, connection);
   const view = render(<Portal server={{ api, connection }} history={history} />);
-  return { ...view, history, user: userEvent.setup() };
+  return { ...view, history, user: userEvent.setup({ pointerEventsCheck: 0 }) };
 }

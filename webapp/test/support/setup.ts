@@ -21,15 +21,15 @@ if (typeof window !== 'undefined') {
   window.scrollTo = () => undefined;
   Element.prototype.scrollTo = () => undefined;
   // jsdom has no layout; virtual lists render the rows that fit into this height.
-  Object.defineProperty(Element.prototype, 'clientHeight', { get: () => 600 });
-  Object.defineProperty(Element.prototype, 'clientWidth', { get: () => 1000 });
+  Object.defineProperty(Element.prototype, 'clientHeight', { get: () => 600, configurable: true });
+  Object.defineProperty(Element.prototype, 'clientWidth', { get: () => 1000, configurable: true });
   window.ResizeObserver = class {
     observe = () => undefined;
     unobserve = () => undefined;
     disconnect = () => undefined;
   };
   // Growing text areas wait for fonts.
-  Object.defineProperty(document, 'fonts', { value: new EventTarget() });
+  Object.defineProperty(document, 'fonts', { value: new EventTarget(), configurable: true });
   Blob.prototype.arrayBuffer = function () {
     return new Promise((resolve, reject) => {
       const reader = new FileReader();
@@ -40,6 +40,9 @@ if (typeof window !== 'undefined') {
       reader.readAsArrayBuffer(this);
     });
   };
-  // Axe checks icon fonts on a canvas if there is one.
-  HTMLCanvasElement.prototype.getContext = () => null;
+  // Charts draw on a canvas that shows nothing. Others have none: axe would check icon fonts on it.
+  const blank: object = new Proxy({}, { get: () => () => blank, set: () => true });
+  HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement) {
+    return this.hasAttribute('data-zr-dom-id') ? blank : null;
+  } as typeof HTMLCanvasElement.prototype.getContext;
 }
