@@ -193,6 +193,7 @@ def agent(folder, name, target, *options, slots=1, heap="128m", installation=Non
         "--server", target if ":" in str(target) else f"127.0.0.1:{target}",
         "--name", name,
         "--directory", str(folder / name),
+        "--earlier-cache", str(HOME / ".sitaf" / "cache"),
         "--slots", str(slots),
         "--stop-with-stdin",
         *options,

@@ -232,6 +232,6 @@ run_agent() {
   mapfile -t flags < <(java_flags agent)
   # The folder holds the agent's key and users' sources.
   (umask 077 && mkdir -p "$state/agent")
-  exec java "${flags[@]}" -jar "$state/dist/agent/agent.jar" --directory "$state/agent" \
+  exec java "${flags[@]}" -jar "$state/dist/agent/agent.jar" --directory "$state/agent" --earlier-cache "$state/cache" \
     --bridge-command "'$state/venv/bin/python' -m sitaf_bridge" "$@"
 }

@@ -72,6 +72,14 @@ public final class AgentMain implements Callable<Integer> {
   private Path directory = Path.of("");
 
   @Option(
+      names = "--earlier-cache",
+      paramLabel = "DIRECTORY",
+      description =
+          "Cache of the commands of this installation. The compiled runtime and the packages in it"
+              + " are used; nothing in it is changed.")
+  private @Nullable Path earlierCache;
+
+  @Option(
       names = "--slots",
       defaultValue = "1",
       description = "Maximum number of concurrent builds; default ${DEFAULT-VALUE}.")
@@ -184,7 +192,8 @@ public final class AgentMain implements Callable<Integer> {
             new ToolchainPlaces(
                 runtimes != null ? runtimes : folderOfJar(),
                 directory.resolve("cache"),
-                annotationProcessors));
+                annotationProcessors,
+                earlierCache));
     CountDownLatch stop = new CountDownLatch(1);
     CountDownLatch stopped = new CountDownLatch(1);
     AtomicBoolean registeredBefore = new AtomicBoolean();

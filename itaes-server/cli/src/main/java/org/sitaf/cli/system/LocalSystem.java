@@ -93,6 +93,8 @@ final class LocalSystem implements AutoCloseable {
               "127.0.0.1:" + ports.group(2),
               "--directory",
               directory.resolve("agent").toString(),
+              "--earlier-cache",
+              installation.cache().toString(),
               "--stop-with-stdin"));
       devices.forEach((device, at) -> agentCommand.addAll(List.of("--device", device + "=" + at)));
       StartedProcess agent =

@@ -8,15 +8,18 @@ import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Folders by name, shared by several agents and commands without locks: entries appear and
  * disappear by an atomic rename.
  *
  * @param directory created when needed
+ * @param earlier another cache, whose entries are used and never changed; null for none
  */
-public record SharedCache(Path directory) {
+public record SharedCache(Path directory, @Nullable Path earlier) {
   private static final String DRAFT_PREFIX = "new";
   private static final String REMOVED_PREFIX = "old";
 
@@ -26,6 +29,19 @@ public record SharedCache(Path directory) {
    * processes of several users.
    */
   private static final Duration MAX_AGE = Duration.ofHours(1);
+
+  /** A cache without an earlier one. */
+  public SharedCache(Path directory) {
+    this(directory, null);
+  }
+
+  /** An entry that exists, here or in the earlier cache. */
+  public Optional<Path> existing(String name) {
+    return Stream.of(directory, earlier == null ? directory : earlier)
+        .map(folder -> folder.resolve(name))
+        .filter(Files::isDirectory)
+        .findFirst();
+  }
 
   /** The path of an entry, whether or not it exists. */
   public Path entry(String name) {

@@ -34,6 +34,21 @@ class SharedCacheTest {
   }
 
   @Test
+  void anEntryOfTheEarlierCacheIsUsedUnlessThereIsAnother() throws IOException {
+    Path earlier = Files.createDirectory(folder.resolve("earlier"));
+    Files.createDirectory(earlier.resolve("entry"));
+    SharedCache cache = new SharedCache(folder.resolve("own"), earlier);
+
+    assertThat(cache.existing("entry")).contains(earlier.resolve("entry"));
+    assertThat(cache.existing("other")).isEmpty();
+    try (SharedCache.Draft draft = cache.draft()) {
+      draft.addAs("entry");
+    }
+    assertThat(cache.existing("entry")).contains(folder.resolve("own").resolve("entry"));
+    assertThat(earlier.resolve("entry")).isEmptyDirectory();
+  }
+
+  @Test
   void manyAddTheSameEntryAtOnce() throws Exception {
     int threads = 8;
     ExecutorService all = Executors.newFixedThreadPool(threads);

@@ -58,6 +58,7 @@ final class CppRuntime {
   private final Compiler compiler;
   private final Path sources;
   private final Path cache;
+  private final @Nullable Path earlier;
   private @Nullable Built built;
   private long builtNanos;
 
@@ -65,11 +66,13 @@ final class CppRuntime {
    * Creates a runtime, which may have been compiled earlier.
    *
    * @param sources holds {@code include}, {@code src} and {@code proto}
+   * @param earlier another cache, whose result is used if it has one; null for none
    */
-  CppRuntime(Compiler compiler, Path sources, Path cache) {
+  CppRuntime(Compiler compiler, Path sources, Path cache, @Nullable Path earlier) {
     this.compiler = compiler;
     this.sources = sources;
     this.cache = cache;
+    this.earlier = earlier;
   }
 
   /**
@@ -141,6 +144,11 @@ final class CppRuntime {
 
   /** The folder of an earlier result, if all headers are unchanged; otherwise null. */
   private @Nullable Path current(String base) throws IOException {
+    Path own = current(base, cache);
+    return own == null && earlier != null ? current(base, earlier) : own;
+  }
+
+  private static @Nullable Path current(String base, Path cache) throws IOException {
     try (DataInputStream in =
         new DataInputStream(
             new BufferedInputStream(Files.newInputStream(cache.resolve(base + INPUTS))))) {

@@ -81,7 +81,11 @@ public final class CppToolchain implements Toolchain {
     return new Found(
         new CppToolchain(
             compiler,
-            new CppRuntime(compiler, sources, cache.resolve("runtime")),
+            new CppRuntime(
+                compiler,
+                sources,
+                cache.resolve("runtime"),
+                places.earlier("cpp").map(earlier -> earlier.resolve("runtime")).orElse(null)),
             new ObjectCache(cache.resolve("objects"))));
   }
 

@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.ToolResult;
+import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -79,7 +80,9 @@ public final class PythonToolchain implements Toolchain {
                         new Environments(
                             found,
                             runtime,
-                            places.cache().resolve("python"),
+                            new SharedCache(
+                                places.cache().resolve("python"),
+                                places.earlier("python").orElse(null)),
                             PipSettings.ofThisMachine()),
                         new CppNodes(
                             places.runtimes().resolve("runtime-cpp").resolve("ros"),

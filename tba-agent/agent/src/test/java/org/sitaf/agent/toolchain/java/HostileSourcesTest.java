@@ -35,7 +35,8 @@ class HostileSourcesTest {
   private Toolchain toolchain() {
     ToolchainPlaces places = EchoActivity.places();
     return ((Found)
-            JavaToolchain.find(new ToolchainPlaces(places.runtimes(), places.cache(), processors)))
+            JavaToolchain.find(
+                new ToolchainPlaces(places.runtimes(), places.cache(), processors, null)))
         .toolchain();
   }
 

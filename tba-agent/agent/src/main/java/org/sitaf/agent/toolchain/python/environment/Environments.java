@@ -14,6 +14,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.locks.Lock;
@@ -61,10 +62,11 @@ public final class Environments {
   /** One build creates an environment; other builds that need the same one wait. */
   private final Map<String, Lock> locks = new ConcurrentHashMap<>();
 
-  public Environments(Interpreter interpreter, Path runtime, Path cache, PipSettings settings) {
+  public Environments(
+      Interpreter interpreter, Path runtime, SharedCache cache, PipSettings settings) {
     this.interpreter = interpreter;
     this.runtime = runtime;
-    this.cache = new SharedCache(cache);
+    this.cache = cache;
     this.kept = new KeptEnvironments(this.cache, MAX_BYTES, Clock.systemUTC());
     this.unpacked = new UnpackedWheels(this.cache, interpreter);
     this.settings = settings;
@@ -116,9 +118,10 @@ public final class Environments {
     }
     String key = Sha256.hex(held.toString().getBytes(StandardCharsets.UTF_8));
     String name = key.substring(0, 24);
-    if (Files.isDirectory(cache.entry(name))) {
-      kept.use(name);
-      return cache.entry(name).resolve(ENVIRONMENT);
+    Optional<Path> existing = cache.existing(name);
+    if (existing.isPresent()) {
+      KeptEnvironments.use(existing.get());
+      return existing.get().resolve(ENVIRONMENT);
     }
     Lock lock = locks.computeIfAbsent(name, unused -> new ReentrantLock());
     lock.lockInterruptibly();
@@ -246,8 +249,7 @@ public final class Environments {
         "wheels-"
             + Sha256.hex((WHEELS + interpreter + BASE).getBytes(StandardCharsets.UTF_8))
                 .substring(0, 24);
-    Path known = cache.entry(name);
-    if (!Files.isDirectory(known)) {
+    if (cache.existing(name).isEmpty()) {
       Path folder = tools.folder();
       ToolResult fetched = new WheelCollection(tools, pip, BASE, null).fetch(folder);
       if (fetched.code() != 0) {
@@ -262,14 +264,14 @@ public final class Environments {
         draft.addAs(name);
       }
     }
-    return known;
+    return cache.existing(name).orElseThrow();
   }
 
   /** The environment whose pip downloads and unpacks; created once. */
   private Path pip(PackageTools tools) throws IOException, InterruptedException {
     String key = LAYOUT + interpreter;
     String name = "pip-" + Sha256.hex(key.getBytes(StandardCharsets.UTF_8)).substring(0, 24);
-    if (!Files.isDirectory(cache.entry(name))) {
+    if (cache.existing(name).isEmpty()) {
       try (SharedCache.Draft draft = cache.draft()) {
         Path fresh = folderIn(draft);
         ToolResult made = tools.venv(fresh);
@@ -280,7 +282,7 @@ public final class Environments {
         draft.addAs(name);
       }
     }
-    return cache.entry(name).resolve(ENVIRONMENT);
+    return cache.existing(name).orElseThrow().resolve(ENVIRONMENT);
   }
 
   private Path sitePackages(Path environment) {

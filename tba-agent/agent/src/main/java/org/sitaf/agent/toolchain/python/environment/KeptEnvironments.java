@@ -38,10 +38,10 @@ record KeptEnvironments(SharedCache cache, long maxBytes, Clock clock) {
     Files.writeString(entry.resolve(SIZE), Long.toString(count(entry)), StandardCharsets.UTF_8);
   }
 
-  /** Marks an environment as used now. */
-  void use(String name) {
+  /** Marks an entry as used now. */
+  static void use(Path entry) {
     try {
-      LeastRecentlyUsed.touch(cache.entry(name));
+      LeastRecentlyUsed.touch(entry);
     } catch (IOException e) {
       // It belongs to another user, who keeps its cache small.
     }

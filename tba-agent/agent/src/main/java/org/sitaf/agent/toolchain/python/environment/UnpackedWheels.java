@@ -14,7 +14,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.sitaf.agent.sandbox.ToolResult;
-import org.sitaf.agent.spool.LeastRecentlyUsed;
 import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.python.environment.WheelCollection.PackageException;
 import org.sitaf.core.digest.Sha256;
@@ -45,10 +44,12 @@ record UnpackedWheels(SharedCache cache, Interpreter interpreter) {
     List<Path> entries = new ArrayList<>();
     Map<Path, Path> missing = new LinkedHashMap<>();
     for (Path wheel : wheels) {
-      Path entry = cache.entry(name(wheel));
+      String name = name(wheel);
+      Path entry = cache.existing(name).orElse(cache.entry(name));
       entries.add(entry);
       if (Files.isDirectory(entry)) {
-        touch(entry);
+        // Not removed before an environment has its files.
+        KeptEnvironments.use(entry);
       } else {
         missing.put(entry, wheel);
       }
@@ -63,15 +64,6 @@ record UnpackedWheels(SharedCache cache, Interpreter interpreter) {
     String key =
         String.join("\n", LAYOUT, interpreter.toString(), EnvironmentPackages.digest(wheel));
     return PREFIX + Sha256.hex(key.getBytes(StandardCharsets.UTF_8)).substring(0, 24);
-  }
-
-  /** Marks an entry as used, so that it is not removed before an environment has its files. */
-  private static void touch(Path entry) {
-    try {
-      LeastRecentlyUsed.touch(entry);
-    } catch (IOException e) {
-      // It belongs to another user, who keeps its cache small.
-    }
   }
 
   private void unpack(Map<Path, Path> missing, Path pip, PackageTools tools)

@@ -58,7 +58,7 @@ class KeptEnvironmentsTest {
     String running = environment(2, Duration.ofHours(40));
     environment(3, Duration.ofDays(20));
     KeptEnvironments kept = keeping(BYTES);
-    kept.use(used);
+    KeptEnvironments.use(directory.resolve(used));
     kept.shrink();
     assertThat(left()).containsExactly(used, running);
   }
@@ -114,6 +114,6 @@ class KeptEnvironmentsTest {
 
   @Test
   void usingAnEnvironmentOfNobodyIsNoError() {
-    keeping(1).use("5".repeat(24));
+    KeptEnvironments.use(directory.resolve("5".repeat(24)));
   }
 }

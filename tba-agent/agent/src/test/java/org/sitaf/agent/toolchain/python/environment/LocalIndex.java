@@ -8,9 +8,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.time.Duration;
 import java.util.HashMap;
@@ -19,10 +17,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.testing.EchoActivity;
 
 /** A package index on this machine. */
@@ -42,41 +40,17 @@ final class LocalIndex implements AutoCloseable {
     Path runtime = EchoActivity.places().runtimes().resolve("runtime-python");
     Path shared = EchoActivity.places().cache().resolve("python");
     Interpreter interpreter = Interpreter.find().orElseThrow();
-    new Environments(interpreter, runtime, shared, PipSettings.ofThisMachine())
+    new Environments(interpreter, runtime, new SharedCache(shared), PipSettings.ofThisMachine())
         .with(
             Requirements.NONE,
             Files.createTempDirectory(directory, "base"),
             Duration.ofMinutes(4),
             sandbox);
-    Path cache = Files.createDirectories(directory.resolve("cache"));
-    copyBase(shared, cache);
+    SharedCache cache =
+        new SharedCache(Files.createDirectories(directory.resolve("cache")), shared);
     Map<String, String> variables = new HashMap<>(System.getenv());
     variables.put("PIP_EXTRA_INDEX_URL", url());
     return new Environments(interpreter, runtime, cache, PipSettings.of(variables, directory));
-  }
-
-  /** Copies what every environment has in common. */
-  private static void copyBase(Path from, Path to) throws IOException {
-    try (Stream<Path> entries = Files.list(from)) {
-      for (Path entry : entries.filter(LocalIndex::isCommon).toList()) {
-        try (Stream<Path> paths = Files.walk(entry)) {
-          for (Path path : (Iterable<Path>) paths::iterator) {
-            Files.copy(
-                path,
-                to.resolve(from.relativize(path).toString()),
-                StandardCopyOption.COPY_ATTRIBUTES,
-                LinkOption.NOFOLLOW_LINKS);
-          }
-        }
-      }
-    }
-  }
-
-  private static boolean isCommon(Path entry) {
-    String name = entry.getFileName().toString();
-    return name.startsWith("wheels-")
-        || name.startsWith("pip-")
-        || name.startsWith(UnpackedWheels.PREFIX);
   }
 
   String url() {
