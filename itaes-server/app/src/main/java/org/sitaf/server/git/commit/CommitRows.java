@@ -63,7 +63,7 @@ public class CommitRows {
   }
 
   /** The commits of a branch or a request, the newest first. */
-  List<GitCommit> list(String sourceId, int requestNo, int size, long offset) {
+  public List<GitCommit> list(String sourceId, int requestNo, int size, long offset) {
     return jdbc.sql(
             COLUMNS
                 + "WHERE source_id = ? AND request_no = ? ORDER BY position DESC LIMIT ? OFFSET ?")
@@ -72,7 +72,7 @@ public class CommitRows {
         .list();
   }
 
-  long count(String sourceId, int requestNo) {
+  public long count(String sourceId, int requestNo) {
     return jdbc.sql("SELECT COUNT(*) FROM git_commit WHERE source_id = ? AND request_no = ?")
         .params(sourceId, requestNo)
         .query(Long.class)
@@ -203,7 +203,8 @@ public class CommitRows {
         .list();
   }
 
-  List<GitCell> cells(Collection<String> commitIds) {
+  /** The cells of several commits. */
+  public List<GitCell> cells(Collection<String> commitIds) {
     return commitIds.isEmpty()
         ? List.of()
         : jdbc.sql(CELLS + "WHERE c.commit_id IN (:commits) ORDER BY c.position, c.model")

@@ -1,14 +1,13 @@
-package org.sitaf.server.git.commit;
+package org.sitaf.server.git.commit.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import org.jspecify.annotations.Nullable;
 import org.sitaf.server.error.RequestException;
+import org.sitaf.server.git.commit.CommitRows;
+import org.sitaf.server.git.commit.Fetches;
+import org.sitaf.server.git.commit.GitCommit;
 import org.sitaf.server.git.source.GitSource;
 import org.sitaf.server.git.source.GitSources;
 import org.sitaf.server.web.Listing;
@@ -29,14 +28,13 @@ import org.springframework.web.bind.annotation.RestController;
 class CommitController {
   private final GitSources sources;
   private final CommitRows commits;
-  private final CommitOutcomes outcomes;
+  private final CommitViews views;
   private final Fetches fetches;
 
-  CommitController(
-      GitSources sources, CommitRows commits, CommitOutcomes outcomes, Fetches fetches) {
+  CommitController(GitSources sources, CommitRows commits, CommitViews views, Fetches fetches) {
     this.sources = sources;
     this.commits = commits;
-    this.outcomes = outcomes;
+    this.views = views;
     this.fetches = fetches;
   }
 
@@ -65,7 +63,7 @@ class CommitController {
     GitSource source = sources.require(id);
     List<GitCommit> found =
         commits.list(source.id(), request, pageRequest.getPageSize(), pageRequest.getOffset());
-    return new Listing<>(views(found), page, size, commits.count(source.id(), request));
+    return new Listing<>(views.of(found), page, size, commits.count(source.id(), request));
   }
 
   @GetMapping("/commits/{sha}")
@@ -74,54 +72,6 @@ class CommitController {
     GitSource source = sources.require(id);
     GitCommit commit =
         commits.find(source.id(), sha).orElseThrow(() -> RequestException.notFound("commit", sha));
-    return views(List.of(commit)).get(0);
-  }
-
-  private List<CommitView> views(List<GitCommit> found) {
-    Map<String, GitCommit> bases = new HashMap<>();
-    List<String> ids = new ArrayList<>();
-    for (GitCommit commit : found) {
-      ids.add(commit.id());
-      outcomes
-          .base(commit)
-          .ifPresent(
-              base -> {
-                bases.put(commit.id(), base);
-                ids.add(base.id());
-              });
-    }
-    Map<String, List<GitCell>> cells = new HashMap<>();
-    commits
-        .cells(ids)
-        .forEach(c -> cells.computeIfAbsent(c.commitId(), key -> new ArrayList<>()).add(c));
-    return found.stream().map(commit -> view(commit, bases.get(commit.id()), cells)).toList();
-  }
-
-  private static CommitView view(
-      GitCommit commit, @Nullable GitCommit base, Map<String, List<GitCell>> cells) {
-    List<GitCell> before = base == null ? List.of() : cells.getOrDefault(base.id(), List.of());
-    return new CommitView(
-        commit.sha(),
-        commit.requestNo(),
-        commit.subject(),
-        commit.author(),
-        commit.authored(),
-        commit.received(),
-        commit.ended(),
-        commit.state(),
-        commit.problem(),
-        base == null ? null : base.sha(),
-        commit.replaced(),
-        cells.getOrDefault(commit.id(), List.of()).stream()
-            .map(
-                cell ->
-                    CommitView.CellView.of(
-                        cell,
-                        before.stream()
-                            .filter(earlier -> earlier.model().equals(cell.model()))
-                            .map(GitCell::buildId)
-                            .findFirst()
-                            .orElse(null)))
-            .toList());
+    return views.of(List.of(commit)).get(0);
   }
 }

@@ -1,14 +1,16 @@
-package org.sitaf.server.git.commit;
+package org.sitaf.server.git.commit.rest;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.BuildState;
+import org.sitaf.server.git.commit.GitCell;
+import org.sitaf.server.git.commit.GitCommit;
 
 /** A commit of a Git source in the REST interface. */
 @Schema(name = "GitCommit")
-record CommitView(
+public record CommitView(
     String sha,
     @Schema(description = "number of the pull or merge request; 0 for the branch") int request,
     String subject,
@@ -24,7 +26,7 @@ record CommitView(
     @Schema(description = "one for each model") List<CellView> cells) {
 
   @Schema(name = "GitCell")
-  record CellView(
+  public record CellView(
       String model,
       String buildId,
       @Schema(description = "build of the base; absent if the base does not have the model")

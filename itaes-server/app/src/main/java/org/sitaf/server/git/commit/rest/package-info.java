@@ -1,0 +1,5 @@
+/** REST interface of commits. */
+@NullMarked
+package org.sitaf.server.git.commit.rest;
+
+import org.jspecify.annotations.NullMarked;
