@@ -86,6 +86,11 @@ public final class RequestException extends RuntimeException {
     return new RequestException(Reason.NOT_FOUND, "There is no " + what + " '" + id + "'.");
   }
 
+  /** The resource does not exist; the message says why it could be missing. */
+  public static RequestException notFound(String message) {
+    return new RequestException(Reason.NOT_FOUND, message);
+  }
+
   /** The request is invalid; the message says which value is wrong and what is allowed. */
   public static RequestException malformed(String message) {
     return new RequestException(Reason.MALFORMED, message);

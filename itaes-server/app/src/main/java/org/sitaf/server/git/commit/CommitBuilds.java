@@ -105,7 +105,7 @@ class CommitBuilds {
             ? line.commits().subList(line.commits().size() - 1, line.commits().size())
             : line.commits();
     if (source.policy() == GitSource.Policy.LATEST && !added.isEmpty()) {
-      commits.skipWaiting(source.id());
+      commits.skipWaiting(source.id(), 0);
     }
     String base =
         commits.branch(source.id(), MAX_KNOWN).stream()
@@ -122,6 +122,7 @@ class CommitBuilds {
           commits.insert(
               source.id(),
               0,
+              false,
               added.get(i),
               position + i,
               built ? GitCommit.State.WAITING : GitCommit.State.SKIPPED,
@@ -239,7 +240,7 @@ class CommitBuilds {
 
   private void request(GitSource source, GitCommit commit, Planned planned, int position) {
     String model = planned.origin().model();
-    Optional<CommitRows.Reusable> same = commits.reusable(source.id(), model, planned.digest());
+    Optional<CommitRows.Reusable> same = commits.reusable(commit, model, planned.digest());
     if (same.isPresent()) {
       commits.insertCell(
           commit.id(), model, position, planned.digest(), same.get().buildId(), same.get().sha());

@@ -22,7 +22,7 @@ public class CommitRows {
   private static final int MAX_PROBLEM = 3900;
   private static final String COLUMNS =
       "SELECT id, source_id, sha, request_no, position, subject, author, authored, received, ended,"
-          + " state, problem, base_id, replaced FROM git_commit ";
+          + " state, problem, base_id, replaced, merge_base FROM git_commit ";
   private static final String CELLS =
       "SELECT c.commit_id, c.model, c.build_id, c.taken_from, b.state, b.suspicions, b.total,"
           + " b.pass, b.fail, b.error, b.failure_message, c.compared, c.differing"
@@ -40,15 +40,23 @@ public class CommitRows {
     return jdbc.sql(COLUMNS + "WHERE id = ?").param(id).query(CommitRows::commit).optional();
   }
 
-  /** A commit of the branch or of a request, with whatever number of a request. */
+  /** A commit of the branch or else of a request, preferably one that was pushed to it. */
   public Optional<GitCommit> find(String sourceId, String sha) {
     return jdbc
-        .sql(COLUMNS + "WHERE source_id = ? AND sha = ? ORDER BY request_no")
+        .sql(COLUMNS + "WHERE source_id = ? AND sha = ? ORDER BY merge_base, request_no")
         .params(sourceId, sha)
         .query(CommitRows::commit)
         .list()
         .stream()
         .findFirst();
+  }
+
+  /** A commit of the branch or of one request. */
+  public Optional<GitCommit> find(String sourceId, int requestNo, String sha) {
+    return jdbc.sql(COLUMNS + "WHERE source_id = ? AND request_no = ? AND sha = ?")
+        .params(sourceId, requestNo, sha)
+        .query(CommitRows::commit)
+        .optional();
   }
 
   /** The commits of the branch that no force-push has removed, the newest first. */
@@ -79,8 +87,26 @@ public class CommitRows {
         .single();
   }
 
-  List<GitCommit> waiting(String sourceId) {
-    return jdbc.sql(COLUMNS + "WHERE source_id = ? AND state = 'WAITING' ORDER BY position")
+  /** The newest heads of requests that were fetched. */
+  public List<GitCommit> heads(String sourceId, Collection<Integer> requestNos) {
+    return requestNos.isEmpty()
+        ? List.of()
+        : jdbc.sql(
+                COLUMNS
+                    + "c WHERE source_id = :source AND request_no IN (:requests)"
+                    + " AND merge_base = FALSE AND NOT EXISTS (SELECT 1 FROM git_commit n"
+                    + " WHERE n.source_id = c.source_id AND n.request_no = c.request_no"
+                    + " AND n.merge_base = FALSE AND n.position > c.position)")
+            .param("source", sourceId)
+            .param("requests", requestNos)
+            .query(CommitRows::commit)
+            .list();
+  }
+
+  /** Commits to build: those of the branch first, and each base before what is compared with it. */
+  public List<GitCommit> waiting(String sourceId) {
+    return jdbc.sql(
+            COLUMNS + "WHERE source_id = ? AND state = 'WAITING' ORDER BY request_no, position")
         .param(sourceId)
         .query(CommitRows::commit)
         .list();
@@ -104,22 +130,25 @@ public class CommitRows {
   }
 
   /** Inserts a commit and returns its id. */
-  String insert(
+  public String insert(
       String sourceId,
       int requestNo,
+      boolean mergeBase,
       History.Commit commit,
       long position,
       GitCommit.State state,
       @Nullable String baseId) {
     String id = UUID.randomUUID().toString();
     jdbc.sql(
-            "INSERT INTO git_commit (id, source_id, sha, request_no, position, subject, author,"
-                + " authored, received, state, base_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+            "INSERT INTO git_commit (id, source_id, sha, request_no, merge_base, position, subject,"
+                + " author, authored, received, state, base_id)"
+                + " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .params(
             id,
             sourceId,
             commit.id(),
             requestNo,
+            mergeBase,
             position,
             commit.subject(),
             commit.author(),
@@ -131,7 +160,7 @@ public class CommitRows {
     return id;
   }
 
-  long nextPosition(String sourceId, int requestNo) {
+  public long nextPosition(String sourceId, int requestNo) {
     return jdbc.sql(
                 "SELECT COALESCE(MAX(position), 0) FROM git_commit"
                     + " WHERE source_id = ? AND request_no = ?")
@@ -164,12 +193,24 @@ public class CommitRows {
         .update();
   }
 
-  /** Leaves out commits of the branch that wait, since a later one is built. */
-  void skipWaiting(String sourceId) {
+  /** Removes a commit that is built again. */
+  public void delete(String id) {
+    jdbc.sql("DELETE FROM git_commit WHERE id = ?").param(id).update();
+  }
+
+  /** Removes all commits of a request. */
+  public void deleteRequest(String sourceId, int requestNo) {
+    jdbc.sql("DELETE FROM git_commit WHERE source_id = ? AND request_no = ?")
+        .params(sourceId, requestNo)
+        .update();
+  }
+
+  /** Leaves out commits of the branch or a request that wait, since a later one is built. */
+  public void skipWaiting(String sourceId, int requestNo) {
     jdbc.sql(
-            "UPDATE git_commit SET state = 'SKIPPED' WHERE source_id = ? AND request_no = 0"
+            "UPDATE git_commit SET state = 'SKIPPED' WHERE source_id = ? AND request_no = ?"
                 + " AND state = 'WAITING'")
-        .param(sourceId)
+        .params(sourceId, requestNo)
         .update();
   }
 
@@ -246,16 +287,20 @@ public class CommitRows {
 
   /**
    * The latest build that read the same bytes. A build that failed or is suspect is repeated, as it
-   * could end otherwise.
+   * could end otherwise. Code of the branch never gets a result that was made for a request, which
+   * anyone may have written; neither does another request.
    */
-  Optional<Reusable> reusable(String sourceId, String model, String digest) {
+  Optional<Reusable> reusable(GitCommit commit, String model, String digest) {
+    // No request has the number -1.
+    int request = commit.mergeBase() || commit.requestNo() == 0 ? -1 : commit.requestNo();
     return jdbc.sql(
             "SELECT l.build_id, COALESCE(l.taken_from, c.sha) FROM git_cell l"
                 + " JOIN git_commit c ON c.id = l.commit_id JOIN build b ON b.id = l.build_id"
                 + " WHERE l.digest = ? AND c.source_id = ? AND l.model = ?"
+                + " AND (c.request_no = 0 OR c.merge_base = TRUE OR c.request_no = ?)"
                 + " AND b.state NOT IN ('FAILED', 'CANCELLED') AND b.suspicions IS NULL"
                 + " ORDER BY c.received DESC LIMIT 1")
-        .params(digest, sourceId, model)
+        .params(digest, commit.sourceId(), model, request)
         .query((row, no) -> new Reusable(row.getString(1), row.getString(2)))
         .optional();
   }
@@ -307,7 +352,8 @@ public class CommitRows {
         GitCommit.State.valueOf(row.getString(11)),
         row.getString(12),
         row.getString(13),
-        row.getBoolean(14));
+        row.getBoolean(14),
+        row.getBoolean(15));
   }
 
   private static GitCell cell(ResultSet row, int index) throws SQLException {

@@ -38,9 +38,22 @@ public class Fetches implements SmartLifecycle {
   private static final int BUSY_S = 5;
   private static final int CHECK_S = 30;
 
+  /** What is fetched besides the branch, within the same claim of the source. */
+  public interface Heads {
+    /** Fetches what has to be fetched; a problem is stored and does not stop the branch. */
+    Recording fetch(GitSource source);
+  }
+
+  /** Records commits of what was fetched, after those of the branch. */
+  @FunctionalInterface
+  public interface Recording {
+    void record(GitSource source);
+  }
+
   private final SourceRows rows;
   private final GitSources sources;
   private final CommitBuilds builds;
+  private final Heads heads;
   private final CommitRows commits;
   private final Polling polling;
   private final DiskSpace disk;
@@ -58,6 +71,7 @@ public class Fetches implements SmartLifecycle {
       SourceRows rows,
       GitSources sources,
       CommitBuilds builds,
+      Heads heads,
       CommitRows commits,
       Polling polling,
       DiskSpace disk,
@@ -65,6 +79,7 @@ public class Fetches implements SmartLifecycle {
     this.rows = rows;
     this.sources = sources;
     this.builds = builds;
+    this.heads = heads;
     this.commits = commits;
     this.polling = polling;
     this.disk = disk;
@@ -77,7 +92,7 @@ public class Fetches implements SmartLifecycle {
     request(sourceId, true);
   }
 
-  /** Builds commits of a source that wait. */
+  /** Builds commits of a source that wait, and fetches the heads of its requests. */
   public void requestBuilds(String sourceId) {
     request(sourceId, false);
   }
@@ -156,9 +171,11 @@ public class Fetches implements SmartLifecycle {
         rows.failed(sourceId, e.text());
       }
     }
+    Recording recording = heads.fetch(source);
     builds.record(source);
     GitSource updated = rows.find(sourceId).orElse(null);
     if (updated != null) {
+      recording.record(updated);
       builds.buildWaiting(updated);
     }
   }

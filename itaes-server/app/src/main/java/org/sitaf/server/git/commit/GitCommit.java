@@ -7,11 +7,13 @@ import org.jspecify.annotations.Nullable;
  * A commit of a source.
  *
  * @param requestNo number of a pull or merge request; 0 for the branch
- * @param position in the branch; later commits have higher ones
+ * @param position in the branch or the request; later commits have higher ones
  * @param ended when all its builds had ended
  * @param problem why it could not be built
  * @param baseId the commit that it is compared with; null for the first one
  * @param replaced whether a force-push has removed it from the branch
+ * @param mergeBase whether it is a commit of the branch that is built only to compare the heads of
+ *     a request with it
  */
 public record GitCommit(
     String id,
@@ -27,14 +29,15 @@ public record GitCommit(
     State state,
     @Nullable String problem,
     @Nullable String baseId,
-    boolean replaced) {
+    boolean replaced,
+    boolean mergeBase) {
   private static final int SHORT = 10;
 
   /** How far a commit is. */
   public enum State {
     /** Will be built. */
     WAITING,
-    /** Was pushed together with later ones, and is not built. */
+    /** Is not built: later ones were pushed before its turn, or its request was closed. */
     SKIPPED,
     /** Its builds are queued or running. */
     BUILDING,

@@ -57,7 +57,12 @@ class StatusTexts {
 
   /** The page of a commit. */
   String page(GitSource source, GitCommit commit) {
-    return publicUrl + "/activities/" + source.activityId() + "?tab=commits&commit=" + commit.sha();
+    return publicUrl
+        + "/activities/"
+        + source.activityId()
+        + "?tab=commits&commit="
+        + commit.sha()
+        + (commit.requestNo() == 0 ? "" : "&request=" + commit.requestNo());
   }
 
   Summary summary(GitCommit commit) {
@@ -119,7 +124,10 @@ class StatusTexts {
             + plain(
                 switch (commit.state()) {
                   case WAITING, BUILDING -> "the tests are running.";
-                  case SKIPPED -> "a later commit of the same push was tested.";
+                  case SKIPPED ->
+                      commit.requestNo() == 0
+                          ? "a later commit of the same push was tested."
+                          : "not tested: the request was closed or has got a later commit.";
                   case DONE, INVALID -> summary(commit).description() + ".";
                 }));
     lines.add("");

@@ -102,7 +102,8 @@ class Statuses implements DisposableBean {
   void on(CommitEvent event) {
     GitCommit commit = commits.find(event.commitId()).orElseThrow();
     GitSource source = sourceRows.find(commit.sourceId()).orElseThrow();
-    if (source.project() == null) {
+    // The branch reports on its own commits.
+    if (source.project() == null || commit.mergeBase()) {
       return;
     }
     insert(commit, false, CommitStatus.Result.PENDING, "The tests are running.");

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import org.sitaf.server.error.RequestException;
 import org.sitaf.server.git.commit.Fetches;
+import org.sitaf.server.git.request.GitRequests;
 import org.sitaf.server.git.source.GitSource;
 import org.sitaf.server.git.source.GitSources;
 import org.springframework.http.HttpStatus;
@@ -32,12 +33,19 @@ class HookController {
   private final GitSources sources;
   private final Deliveries deliveries;
   private final Fetches fetches;
+  private final GitRequests requests;
   private final JsonMapper json;
 
-  HookController(GitSources sources, Deliveries deliveries, Fetches fetches, JsonMapper json) {
+  HookController(
+      GitSources sources,
+      Deliveries deliveries,
+      Fetches fetches,
+      GitRequests requests,
+      JsonMapper json) {
     this.sources = sources;
     this.deliveries = deliveries;
     this.fetches = fetches;
+    this.requests = requests;
     this.json = json;
   }
 
@@ -46,7 +54,8 @@ class HookController {
       operationId = "receiveGitHook",
       summary = "Receives a message of GitHub, GitLab, Gitea or Forgejo",
       description =
-          "A push to the activity's branch is fetched at once. A message that was received before"
+          "A push to the activity's branch, and to a pull or merge request into it, is fetched at"
+              + " once. A request from a fork is only listed. A message that was received before"
               + " does nothing. Fails with 403 if the signature is wrong.",
       requestBody =
           @RequestBody(
@@ -69,17 +78,20 @@ class HookController {
               + " activity's Git source again, and enter it at the forge.");
     }
     GitSource source = sources.require(id);
-    if (deliveries.isNew(source.id(), message.id())
-        && message.isPush()
-        && source.reference().equals(pushed(message))) {
+    if (!deliveries.isNew(source.id(), message.id())) {
+      return;
+    }
+    if (message.isPush() && source.reference().equals(body(message).path("ref").asString(""))) {
       fetches.request(source.id());
+    } else if (message.isRequest()) {
+      RequestMessage.parse(message.forge(), body(message))
+          .ifPresent(reported -> requests.report(source, reported));
     }
   }
 
-  private String pushed(HookMessage message) {
+  private JsonNode body(HookMessage message) {
     try {
-      JsonNode body = json.readTree(message.body());
-      return body.path("ref").asString("");
+      return json.readTree(message.body());
     } catch (JacksonException e) {
       throw RequestException.malformed("The body is no JSON: " + e.getOriginalMessage() + ".");
     }

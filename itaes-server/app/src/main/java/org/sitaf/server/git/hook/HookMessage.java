@@ -12,6 +12,7 @@ import javax.crypto.spec.SecretKeySpec;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Secret;
 import org.sitaf.server.file.StoredFiles;
+import org.sitaf.server.git.source.Forge;
 
 /**
  * A message of a forge. GitHub, Gitea and Forgejo sign the body with HMAC-SHA-256; GitLab sends the
@@ -64,9 +65,24 @@ record HookMessage(byte[] body, Function<String, @Nullable String> header) {
 
   /** Whether it says that something was pushed. */
   boolean isPush() {
-    return first("X-GitHub-Event", "X-Forgejo-Event", "X-Gitea-Event", "X-Gitlab-Event")
-        .map(event -> event.equals("push") || event.equals("Push Hook"))
-        .orElse(false);
+    return event().equals("push") || event().equals("Push Hook");
+  }
+
+  /** Whether it is about a pull or merge request. */
+  boolean isRequest() {
+    return event().equals("pull_request") || event().equals("Merge Request Hook");
+  }
+
+  private String event() {
+    return first("X-Forgejo-Event", "X-Gitea-Event", "X-Gitlab-Event", "X-GitHub-Event").orElse("");
+  }
+
+  /** The kind of the sender. Gitea and Forgejo send the headers of GitHub, too. */
+  Forge forge() {
+    if (first("X-Forgejo-Event", "X-Gitea-Event").isPresent()) {
+      return Forge.GITEA;
+    }
+    return first("X-Gitlab-Event").isPresent() ? Forge.GITLAB : Forge.GITHUB;
   }
 
   private Optional<String> first(String... names) {

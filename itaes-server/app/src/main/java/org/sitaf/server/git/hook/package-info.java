@@ -1,4 +1,4 @@
-/** Messages of forges: a push is fetched at once. */
+/** Messages of forges: a push is fetched at once, and a request is listed or built. */
 @NullMarked
 package org.sitaf.server.git.hook;
 

@@ -83,8 +83,18 @@ public final class History implements AutoCloseable {
     return new Line(commits, found);
   }
 
+  /** A commit by its id. */
+  public Commit commit(String id) throws IOException {
+    try (RevWalk walk = new RevWalk(repository)) {
+      return of(walk.parseCommit(ObjectId.fromString(id)));
+    }
+  }
+
   /** The commit that two commits have in common. */
   public Optional<Commit> mergeBase(String one, String other) throws IOException {
+    if (one.equals(other)) {
+      return Optional.of(commit(one));
+    }
     ObjectId base;
     try (RevWalk walk = new RevWalk(repository)) {
       walk.setRevFilter(RevFilter.MERGE_BASE);
@@ -92,13 +102,8 @@ public final class History implements AutoCloseable {
       walk.markStart(walk.parseCommit(ObjectId.fromString(other)));
       base = walk.next();
     }
-    if (base == null) {
-      return Optional.empty();
-    }
     // The first walk has changed what it knows of the commit.
-    try (RevWalk walk = new RevWalk(repository)) {
-      return Optional.of(of(walk.parseCommit(base)));
-    }
+    return base == null ? Optional.empty() : Optional.of(commit(base.name()));
   }
 
   /**
@@ -138,10 +143,15 @@ public final class History implements AutoCloseable {
         Instant.ofEpochSecond(commit.getCommitTime()));
   }
 
-  /** Texts of commits come from anyone: without control characters, and not too long. */
-  private static String shortened(String text) {
-    String plain = text.replaceAll("[\\p{Cc}\\p{Cf}]", " ");
-    return plain.length() <= MAX_TEXT ? plain : plain.substring(0, MAX_TEXT - 1) + "…";
+  /** A text that comes from anyone, without control characters and not too long. */
+  public static String shortened(String text) {
+    String plain = text.replaceAll("[\\p{Cc}\\p{Cf}\\p{Cs}]", " ");
+    if (plain.length() <= MAX_TEXT) {
+      return plain;
+    }
+    int end = MAX_TEXT - 1;
+    return plain.substring(0, Character.isHighSurrogate(plain.charAt(end - 1)) ? end - 1 : end)
+        + "…";
   }
 
   @Override

@@ -153,6 +153,13 @@ public class Remote {
     }
     String message = String.valueOf(e.getMessage());
     if (message.contains("does not have") && message.contains("available for fetch")) {
+      if (!message.contains("refs/heads/")) {
+        return new RemoteException(
+            where
+                + " has no reference of this request. Check that the repository is the one at the"
+                + " forge that the request was made for.",
+            e);
+      }
       return new RemoteException(
           "The branch does not exist in "
               + where

@@ -51,7 +51,8 @@ class CommitController {
   @GetMapping("/commits")
   @Operation(
       operationId = "listGitCommits",
-      summary = "Lists the commits of an activity's branch with their results, newest first")
+      summary =
+          "Lists the commits of an activity's branch or a request with their results, newest first")
   Listing<CommitView> list(
       @PathVariable String id,
       @Parameter(description = "number of a pull or merge request; default 0, the branch")

@@ -13,6 +13,11 @@ import org.sitaf.server.git.commit.GitCommit;
 public record CommitView(
     String sha,
     @Schema(description = "number of the pull or merge request; 0 for the branch") int request,
+    @Schema(
+            description =
+                "whether it is built only to compare the heads of the request with it; such a"
+                    + " commit gets no status at the forge")
+        boolean mergeBase,
     String subject,
     String author,
     Instant authored,

@@ -49,6 +49,7 @@ public class CommitViews {
     return new CommitView(
         commit.sha(),
         commit.requestNo(),
+        commit.mergeBase(),
         commit.subject(),
         commit.author(),
         commit.authored(),

@@ -1,0 +1,4 @@
+@NullMarked
+package org.sitaf.server.git.hook;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.sitaf.server.git.request;
+
+import org.jspecify.annotations.NullMarked;
