@@ -4,7 +4,16 @@ import { expect, test } from 'vitest';
 import { eachWithServer } from './support/eachWithServer';
 import type { FakeServer } from './support/FakeServer';
 import { openPortal } from './support/openPortal';
-import { activity, build, doneBuild, MODEL, resultCases, suiteCases } from './support/samples';
+import {
+  activity,
+  build,
+  doneBuild,
+  gitRequest,
+  gitSource,
+  MODEL,
+  resultCases,
+  suiteCases,
+} from './support/samples';
 
 let server: FakeServer;
 
@@ -16,12 +25,15 @@ eachWithServer((started) => {
   server.cases.set('b1', cases);
   server.suiteCases = suiteCases(9);
   server.models.set('GetInfraredData', MODEL);
+  server.gitSource = gitSource();
+  server.gitRequests.push(gitRequest(8, { fork: true, waitsForApproval: true }));
 });
 
 test.each([
   ['/', 'Builds'],
   ['/activities', 'Activities'],
   ['/activities/a1', 'Builds'],
+  ['/activities/a1?tab=commits', 'Pull requests'],
   ['/suites/s1', 'Test cases'],
   ['/builds', 'Builds'],
   ['/builds/b1', 'Cases'],

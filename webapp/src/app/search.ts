@@ -30,6 +30,8 @@ export interface ActivitySearch {
   commits?: number;
   /** Id of a commit to mark. */
   commit?: string;
+  /** Number of the pull or merge request whose commits are shown. */
+  request?: number;
 }
 
 export const SUITE_TABS = ['cases', 'combinations', 'changes', 'application'] as const;
@@ -118,6 +120,7 @@ export function activitySearch(raw: Raw): ActivitySearch {
     ...textIn(raw, 'file'),
     ...numberIn(raw, 'commits', 2),
     ...textIn(raw, 'commit'),
+    ...numberIn(raw, 'request', 1),
   };
 }
 

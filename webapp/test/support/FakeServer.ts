@@ -10,6 +10,9 @@ import type {
   CaseSignals,
   Diagnostic,
   Difference,
+  GitCommit,
+  GitRequest,
+  GitSource,
   ModelPreview,
   ResultCase,
   ResultComparison,
@@ -51,7 +54,9 @@ const NOUNS = [
   'agents',
   'builds',
   'cancel',
+  'build',
   'calendars',
+  'commits',
   'cases',
   'causes',
   'comparison',
@@ -62,6 +67,7 @@ const NOUNS = [
   'explanation',
   'failures',
   'files',
+  'git',
   'log',
   'model-previews',
   'models',
@@ -70,6 +76,7 @@ const NOUNS = [
   'proposals',
   'recordings',
   'repetition',
+  'requests',
   'result',
   'run',
   'schedules',
@@ -141,6 +148,15 @@ export class FakeServer {
   /** Stored changes of expected values with the version of the request. */
   readonly suiteEdits: { ifMatch: string | undefined; changes: ExpectedChange[] }[] = [];
   readonly uploads: Buffer[] = [];
+  /** Of the signed-in user. */
+  role = 'TESTER';
+  /** Of any activity. */
+  gitSource: GitSource | undefined;
+  /** Commits of the branch, and of pull or merge requests. */
+  readonly gitCommits: GitCommit[] = [];
+  readonly gitRequests: GitRequest[] = [];
+  /** Heads that somebody asked to build. */
+  readonly builtHeads: unknown[] = [];
 
   private http: Server | undefined;
   private port = 0;
@@ -273,6 +289,42 @@ export class FakeServer {
       this.previews.push(body.toString());
       return { status: 200, json: this.preview };
     },
+    'GET activities * git': () => found(this.gitSource),
+    'GET activities * git commits': ({ query }) => {
+      const request = Number(query.get('request') ?? 0);
+      return {
+        status: 200,
+        json: pageOf(
+          this.gitCommits.filter((commit) => commit.request === request),
+          query,
+        ),
+      };
+    },
+    'GET activities * git requests': ({ query }) => {
+      const state = query.get('state');
+      return {
+        status: 200,
+        json: pageOf(
+          this.gitRequests.filter((request) => !state || request.state === state),
+          query,
+        ),
+      };
+    },
+    'POST activities * git requests * build': ({ path, body }) => {
+      const asked = JSON.parse(body.toString()) as { head: string };
+      const request = this.gitRequests.find(({ number }) => number === Number(path[4]));
+      if (!request) return notFound();
+      if (request.head !== asked.head) {
+        return {
+          status: 409,
+          problem: true,
+          json: { title: 'Conflict', detail: `The head is now ${request.head}.`, status: 409 },
+        };
+      }
+      this.builtHeads.push(asked.head);
+      request.waitsForApproval = false;
+      return { status: 202, json: request };
+    },
     'GET activities * proposals sequences': () => ({ status: 200, text: this.proposal }),
     'POST activity-checks': ({ body }) => {
       this.checks.push(body);
@@ -300,7 +352,7 @@ export class FakeServer {
     'POST builds * explanation causes * run': () => ({ status: 201, json: { id: 'b2' } }),
     'GET session': () => ({
       status: 200,
-      json: { name: 'tester', role: 'TESTER', kind: 'PERSON' },
+      json: { name: 'tester', role: this.role, kind: 'PERSON' },
     }),
     'GET schedules': ({ query }) => ({ status: 200, json: pageOf([], query) }),
     'GET activities * suites': ({ query }) => ({ status: 200, json: pageOf([], query) }),

@@ -4,6 +4,9 @@ import type {
   Agent,
   Build,
   CaseSignals,
+  GitCommit,
+  GitRequest,
+  GitSource,
   Result,
   ResultCase,
   ResultParameter,
@@ -134,6 +137,54 @@ export function resultCase(no: number, verdict: Verdict, changes: Partial<Result
     ...changes,
   };
   return sample;
+}
+
+export function gitSource(changes: Partial<GitSource> = {}): GitSource {
+  return {
+    activityId: 'a1',
+    url: 'https://git.example.org/robots/sensors.git',
+    branch: 'main',
+    folder: '',
+    credential: 'NONE',
+    policy: 'LATEST',
+    intervalS: 300,
+    version: 1,
+    forge: 'GITHUB',
+    hasForgeToken: false,
+    hasHook: true,
+    ...changes,
+  };
+}
+
+export function gitCommit(sha: string, changes: Partial<GitCommit> = {}): GitCommit {
+  return {
+    sha,
+    request: 0,
+    mergeBase: false,
+    subject: 'Add the sensor',
+    author: 'Tester',
+    authored: CREATED,
+    received: CREATED,
+    state: 'DONE',
+    replaced: false,
+    cells: [],
+    ...changes,
+  };
+}
+
+export function gitRequest(number: number, changes: Partial<GitRequest> = {}): GitRequest {
+  return {
+    number,
+    title: 'Extend the range',
+    author: 'contributor',
+    head: 'b'.repeat(40),
+    fork: false,
+    state: 'OPEN',
+    waitsForApproval: false,
+    received: CREATED,
+    updated: CREATED,
+    ...changes,
+  };
 }
 
 /** Signals of a case that ends one second after the call, with two trajectory conditions. */

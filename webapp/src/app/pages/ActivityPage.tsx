@@ -14,6 +14,7 @@ import { ActivityFiles, FavouriteButton, InterfaceTree, useActivity } from '@/fe
 import { BuildList } from '@/features/builds';
 import { GitTab } from '@/features/git';
 import { ResultHistory } from '@/features/history';
+import { useSession } from '@/features/session';
 import { SuiteList } from '@/features/suites';
 import { ApiError, type Activity } from '@/shared/api';
 import { Breadcrumb, Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
@@ -25,6 +26,7 @@ export function ActivityPage() {
   const shown = route.useSearch();
   const navigate = route.useNavigate();
   const activity = useActivity(activityId);
+  const session = useSession();
   if (activity.isPending) return <Loading what="the activity" />;
   if (!activity.data) {
     return activity.error instanceof ApiError && activity.error.status === 404 ? (
@@ -34,6 +36,7 @@ export function ActivityPage() {
     );
   }
   const { data } = activity;
+  const mayBuild = session.data != null && session.data.role !== 'VIEWER';
   const show = (search: ActivitySearch) => void navigate({ search, resetScroll: false });
   const tabs: PageTab<ActivityTab>[] = [
     {
@@ -79,9 +82,17 @@ export function ActivityPage() {
         <GitTab
           activityId={activityId}
           page={toIndex(shown.commits)}
+          request={shown.request}
           marked={shown.commit}
+          mayBuild={mayBuild}
           onPage={(page) => {
-            show(withoutAbsent<ActivitySearch>({ tab: 'commits', commits: fromIndex(page) }));
+            show(
+              withoutAbsent<ActivitySearch>({
+                tab: 'commits',
+                request: shown.request,
+                commits: fromIndex(page),
+              }),
+            );
           }}
         />
       ),

@@ -6,6 +6,8 @@ import { COMMITS_PER_PAGE, useGitCommits } from './queries';
 
 interface BranchTableProps {
   activityId: string;
+  /** A pull or merge request; absent for the branch. */
+  request?: number | undefined;
   /** From 0. */
   page: number;
   onPage: (page: number) => void;
@@ -13,9 +15,12 @@ interface BranchTableProps {
   marked?: string | undefined;
 }
 
-/** Commits as rows, models as columns; each cell says what differs from the commit before. */
-export function BranchTable({ activityId, page, onPage, marked }: BranchTableProps) {
-  const commits = useGitCommits(activityId, page, true);
+/**
+ * Commits as rows, models as columns; each cell says what differs from the commit before, or from
+ * the merge base of a request.
+ */
+export function BranchTable({ activityId, request, page, onPage, marked }: BranchTableProps) {
+  const commits = useGitCommits(activityId, request, page);
   if (commits.isPending) return <Loading what="the commits" />;
   if (!commits.data) {
     return <ProblemAlert title="The commits could not be read" error={commits.error} />;
@@ -78,6 +83,11 @@ function CommitRow({ commit, models, marked }: CommitRowProps) {
         {commit.replaced && (
           <Badge size="sm" color="gray">
             Removed by a force-push
+          </Badge>
+        )}
+        {commit.mergeBase && (
+          <Badge size="sm" color="gray">
+            Merge base
           </Badge>
         )}
         {commit.problem && (

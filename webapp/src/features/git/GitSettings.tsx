@@ -122,8 +122,8 @@ function Hook({ activityId, source }: { activityId: string; source: GitSource })
     <Stack gap="xs">
       <Text size="sm" c="dimmed">
         {source.hasHook
-          ? 'A webhook of the forge reports pushes at once.'
-          : 'With a webhook the forge reports pushes at once.'}
+          ? 'A webhook of the forge reports pushes and requests at once.'
+          : 'With a webhook the forge reports pushes and requests at once.'}
       </Text>
       <SecretForm
         issue={create}
@@ -136,7 +136,7 @@ function Hook({ activityId, source }: { activityId: string; source: GitSource })
           instructions: (
             <Text size="sm">
               Payload URL: <Code>{`${window.location.origin}${path}`}</Code>, content type
-              application/json, events: push.
+              application/json, events: push, and pull or merge requests.
             </Text>
           ),
         })}

@@ -1,10 +1,15 @@
 import { keepPreviousData, useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
-import { ApiError, dataOf, useApi, type GitSourceRequest } from '@/shared/api';
+import { ApiError, dataOf, useApi, type GitRequest, type GitSourceRequest } from '@/shared/api';
 
 const GIT = ['git'] as const;
 
 /** Page size of the list of commits. */
 export const COMMITS_PER_PAGE = 30;
+
+/** Page size of the list of pull or merge requests. */
+export const REQUESTS_PER_PAGE = 20;
+
+export type GitRequestState = GitRequest['state'];
 
 /** Milliseconds between two looks at commits whose builds run. */
 const REFRESH_MS = 3000;
@@ -28,21 +33,66 @@ export function useGitSource(activityId: string) {
   });
 }
 
-/** A page of the commits of the branch, the newest first; pages count from 0. */
-export function useGitCommits(activityId: string, page: number, enabled: boolean) {
+/**
+ * A page of the commits of the branch, or of a pull or merge request, the newest first; pages
+ * count from 0.
+ */
+export function useGitCommits(activityId: string, request: number | undefined, page: number) {
   const api = useApi();
   return useQuery({
-    queryKey: [...GIT, activityId, 'commits', page],
+    queryKey: [...GIT, activityId, 'commits', request, page],
     queryFn: ({ signal }) =>
       dataOf(
         api.GET('/api/v1/activities/{id}/git/commits', {
-          params: { path: { id: activityId }, query: { page, size: COMMITS_PER_PAGE } },
+          params: {
+            path: { id: activityId },
+            query: { ...(request !== undefined && { request }), page, size: COMMITS_PER_PAGE },
+          },
           signal,
         }),
       ),
     placeholderData: keepPreviousData,
     refetchInterval: REFRESH_MS,
-    enabled,
+  });
+}
+
+/** A page of the pull or merge requests, the highest number first; pages count from 0. */
+export function useGitRequests(
+  activityId: string,
+  state: GitRequestState | undefined,
+  page: number,
+) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...GIT, activityId, 'requests', state, page],
+    queryFn: ({ signal }) =>
+      dataOf(
+        api.GET('/api/v1/activities/{id}/git/requests', {
+          params: {
+            path: { id: activityId },
+            query: { ...(state && { state }), page, size: REQUESTS_PER_PAGE },
+          },
+          signal,
+        }),
+      ),
+    placeholderData: keepPreviousData,
+    refetchInterval: REFRESH_MS,
+  });
+}
+
+/** Fetches and builds the head of a request that the user has seen. */
+export function useBuildGitRequest(activityId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: ({ number, head }: { number: number; head: string }) =>
+      dataOf(
+        api.POST('/api/v1/activities/{id}/git/requests/{number}/build', {
+          params: { path: { id: activityId, number } },
+          body: { head },
+        }),
+      ),
+    onSettled: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
   });
 }
 

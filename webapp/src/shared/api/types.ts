@@ -54,5 +54,6 @@ export type Verdict = ResultCase['verdict'];
 export type Verdicts = Schemas['Verdicts'];
 export type GitCell = Schemas['GitCell'];
 export type GitCommit = Schemas['GitCommit'];
+export type GitRequest = Schemas['GitRequest'];
 export type GitSource = Schemas['GitSource'];
 export type GitSourceRequest = Schemas['GitSourceRequest'];
