@@ -13,6 +13,7 @@ import java.sql.Statement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -26,12 +27,25 @@ class GuardedDataSourceTest {
   @TempDir private Path folder;
   private Optional<String> fullReason = Optional.empty();
   private int ends;
+
+  /** The database is opened again when this is 0. */
+  private volatile CountDownLatch opening = new CountDownLatch(0);
+
   private GuardedDataSource database =
-      new GuardedDataSource(new HikariDataSource(), this::fullReason, () -> ends++);
+      new GuardedDataSource(new HikariDataSource(), this::fullReason, this::beforeEnd);
   private JdbcClient jdbc = JdbcClient.create(database);
 
   private Optional<String> fullReason() {
     return fullReason;
+  }
+
+  private void beforeEnd() {
+    ends++;
+    try {
+      opening.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   @BeforeEach
@@ -39,7 +53,7 @@ class GuardedDataSourceTest {
     HikariDataSource pool = new HikariDataSource();
     pool.setJdbcUrl("jdbc:h2:file:" + folder + "/database;WRITE_DELAY=0;DB_CLOSE_ON_EXIT=FALSE");
     pool.setMaximumPoolSize(4);
-    database = new GuardedDataSource(pool, this::fullReason, () -> ends++);
+    database = new GuardedDataSource(pool, this::fullReason, this::beforeEnd);
     jdbc = JdbcClient.create(database);
     jdbc.sql("CREATE TABLE \"flyway_schema_history\" (no INT PRIMARY KEY)").update();
     insert(1);
@@ -135,12 +149,15 @@ class GuardedDataSourceTest {
   @Test
   void threadWithAConnectionDoesNotDelayTheReopening() throws SQLException {
     try (Connection held = database.getConnection()) {
+      opening = new CountDownLatch(1);
       shutDown();
       assertThatThrownBy(() -> held.prepareStatement("VALUES 1").execute())
           .isInstanceOf(SQLException.class);
       assertThatThrownBy(database::getConnection)
           .isInstanceOf(SQLTransientConnectionException.class)
           .hasMessage("the database is being reopened");
+    } finally {
+      opening.countDown();
     }
     insertWhenAvailable(2);
     assertThat(stored()).containsExactly(1, 2);

@@ -145,7 +145,15 @@ final class CppRuntime {
   /** The folder of an earlier result, if all headers are unchanged; otherwise null. */
   private @Nullable Path current(String base) throws IOException {
     Path own = current(base, cache);
-    return own == null && earlier != null ? current(base, earlier) : own;
+    if (own != null || earlier == null) {
+      return own;
+    }
+    try {
+      return current(base, earlier);
+    } catch (IOException e) {
+      // It belongs to another user.
+      return null;
+    }
   }
 
   private static @Nullable Path current(String base, Path cache) throws IOException {
