@@ -228,6 +228,11 @@ def test_authentication_errors_are_reported(sitaf, server, address, token, expec
 )
 def test_requests_of_the_openapi_document_do_not_break_the_server(server, tmp_path, phases, examples):
     pytest.importorskip("schemathesis", reason="./sitaf test installs it")
+    # The server makes the document at the first request, for which schemathesis waits 10 s only.
+    document = urllib.request.Request(
+        server.address + "/v3/api-docs", headers={"Authorization": f"Bearer {server.token}"}
+    )
+    urllib.request.urlopen(document, timeout=120).close()
     fuzz = subprocess.run(
         [
             sys.executable, "-m", "schemathesis.cli", "run", server.address + "/v3/api-docs",
