@@ -177,7 +177,7 @@ function Result({ request }: { request: GitRequest }) {
   return (
     <Stack gap={2} align="start">
       {request.waitsForApproval && (
-        <Badge size="sm" color="yellow">
+        <Badge size="sm" color="yellow" miw="max-content">
           Waits for approval
         </Badge>
       )}

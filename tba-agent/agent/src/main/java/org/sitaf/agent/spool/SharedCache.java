@@ -37,7 +37,7 @@ public record SharedCache(Path directory, @Nullable Path earlier) {
 
   /** An entry that exists, here or in the earlier cache. */
   public Optional<Path> existing(String name) {
-    return Stream.of(directory, earlier == null ? directory : earlier)
+    return Stream.concat(Stream.of(directory), Stream.ofNullable(earlier))
         .map(folder -> folder.resolve(name))
         .filter(Files::isDirectory)
         .findFirst();

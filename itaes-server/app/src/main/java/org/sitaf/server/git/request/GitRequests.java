@@ -60,7 +60,7 @@ public class GitRequests {
   }
 
   /**
-   * Fetches and builds the head of a request, whoever wrote it.
+   * Fetches and builds the head of a request, also of one from a fork.
    *
    * @param head that the caller has looked at
    * @throws RequestException if the request has another head by now, or is closed or not known

@@ -8,6 +8,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -61,13 +62,14 @@ record KeptEnvironments(SharedCache cache, long maxBytes, Clock clock) {
     }
     // The one that was used last stays, however large it is.
     for (Path environment : environments.subList(0, Math.max(0, environments.size() - 1))) {
-      if (bytes <= maxBytes || isInUse(environment)) {
-        // The others were used later.
+      if (bytes <= maxBytes) {
         return;
       }
-      bytes -= size(environment);
-      remove(environment);
-      bytes -= removeUnused(wheels);
+      if (!isInUse(environment)) {
+        bytes -= size(environment);
+        remove(environment);
+        bytes -= removeUnused(wheels);
+      }
     }
   }
 
@@ -94,8 +96,14 @@ record KeptEnvironments(SharedCache cache, long maxBytes, Clock clock) {
     cache.remove(entry.getFileName().toString());
   }
 
-  private boolean isInUse(Path entry) throws IOException {
-    return !Files.getLastModifiedTime(entry).toInstant().isBefore(clock.instant().minus(IN_USE));
+  private boolean isInUse(Path entry) {
+    try {
+      Instant used = Files.getLastModifiedTime(entry).toInstant();
+      return !used.isBefore(clock.instant().minus(IN_USE));
+    } catch (IOException e) {
+      // Another process removed it.
+      return true;
+    }
   }
 
   private static boolean isShared(Path wheel) {

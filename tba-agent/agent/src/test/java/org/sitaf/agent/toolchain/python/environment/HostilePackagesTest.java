@@ -4,62 +4,27 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.toolchain.CompilationException;
 
 /** Code of packages runs without network and can write only its output. */
 @Tag("slow")
-class HostilePackagesTest {
-  private static final Duration LIMIT = Duration.ofMinutes(4);
-
-  @TempDir private Path directory;
-  private LocalIndex index;
-  private Sandbox sandbox;
-  private Environments environments;
-
+class HostilePackagesTest extends PackagesTest {
   @BeforeEach
-  void start() throws Exception {
-    sandbox = SandboxMode.AUTO.open();
+  void requireSandbox() {
     assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped: bubblewrap is not available");
-    index = new LocalIndex();
-    environments = index.environments(directory, sandbox);
-  }
-
-  @AfterEach
-  void stop() {
-    index.close();
   }
 
   private Path make(List<String> lines, Path... wheels) throws Exception {
-    return environments.with(
-        new Requirements(lines, "activity/component/requirements.txt", List.of(wheels), null),
-        Files.createTempDirectory(directory, "scratch"),
-        LIMIT,
-        sandbox);
-  }
-
-  private static Path packages(Path environment) throws IOException {
-    try (Stream<Path> versions = Files.list(environment.resolve("lib"))) {
-      return versions
-          .filter(path -> path.getFileName().toString().startsWith("python"))
-          .findFirst()
-          .orElseThrow()
-          .resolve("site-packages");
-    }
+    return make(lines, List.of(wheels), null);
   }
 
   @Test
@@ -118,15 +83,15 @@ class HostilePackagesTest {
 
     Path environment = make(List.of("sitaf-hostile-sample==1.0"));
 
-    Path module = packages(environment).resolve("sitaf_hostile_sample.py");
+    Path module = sitePackages(environment).resolve("sitaf_hostile_sample.py");
     assertThat(Files.readString(module))
         .contains("no network", "not written", "not read", "not planted")
         .doesNotContain("reached", "wrote", "secret", "'planted'");
     assertThat(outside).isEmptyDirectory();
-    assertThat(packages(environment).resolve("sitaf_hostile_needed.py")).isRegularFile();
+    assertThat(sitePackages(environment).resolve("sitaf_hostile_needed.py")).isRegularFile();
     assertThat(
             Files.isDirectory(
-                packages(environment).resolve("sitaf_runtime"), LinkOption.NOFOLLOW_LINKS))
+                sitePackages(environment).resolve("sitaf_runtime"), LinkOption.NOFOLLOW_LINKS))
         .isTrue();
   }
 
@@ -164,9 +129,9 @@ class HostilePackagesTest {
 
     Path environment = make(List.of(), wheel);
 
-    assertThat(packages(environment).resolve("robot.py")).hasContent("MINE = True");
-    assertThat(packages(environment).resolve("sitaf_hostile_needed.py")).isRegularFile();
-    assertThat(packages(environment).resolve("pytest")).doesNotExist();
+    assertThat(sitePackages(environment).resolve("robot.py")).hasContent("MINE = True");
+    assertThat(sitePackages(environment).resolve("sitaf_hostile_needed.py")).isRegularFile();
+    assertThat(sitePackages(environment).resolve("pytest")).doesNotExist();
   }
 
   @Test

@@ -6,16 +6,12 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.core.activity.lock.ActivityLock;
 import org.sitaf.core.activity.lock.ResolvedPackage;
@@ -23,27 +19,14 @@ import org.sitaf.core.digest.Sha256;
 
 /** Environments record their packages, and hold exactly those of a lock. */
 @Tag("slow")
-class LockedPackagesTest {
+class LockedPackagesTest extends PackagesTest {
   private static final String ROBOT = "sitaf-locked-robot";
   private static final String ARM = "sitaf-locked-arm";
 
-  @TempDir private Path directory;
-  private LocalIndex index;
-  private Sandbox sandbox;
-  private Environments environments;
-
   @BeforeEach
-  void start() throws Exception {
-    sandbox = SandboxMode.AUTO.open();
+  void addRobot() throws Exception {
     assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped: bubblewrap is not available");
-    index = new LocalIndex();
-    environments = index.environments(directory, sandbox);
     index.add(ROBOT, "sitaf_locked_robot-1.0-py3-none-any.whl", LocalIndex.wheel(ROBOT, "", ARM));
-  }
-
-  @AfterEach
-  void stop() {
-    index.close();
   }
 
   private byte[] addArm(String version) throws Exception {
@@ -53,26 +36,14 @@ class LockedPackagesTest {
   }
 
   private List<ResolvedPackage> packages(@Nullable ActivityLock lock) throws Exception {
-    Path environment =
-        environments.with(
-            new Requirements(
-                List.of(ROBOT), "activity/component/requirements.txt", List.of(), lock),
-            Files.createTempDirectory(directory, "scratch"),
-            Duration.ofMinutes(4),
-            sandbox);
+    Path environment = make(List.of(ROBOT), List.of(), lock);
     return environments.packages(environment).stream()
         .filter(each -> each.name().startsWith("sitaf-locked"))
         .toList();
   }
 
   private ActivityLock resolved() throws Exception {
-    Path environment =
-        environments.with(
-            new Requirements(
-                List.of(ROBOT), "activity/component/requirements.txt", List.of(), null),
-            Files.createTempDirectory(directory, "scratch"),
-            Duration.ofMinutes(4),
-            sandbox);
+    Path environment = make(List.of(ROBOT), List.of(), null);
     return new ActivityLock(environments.packages(environment), true);
   }
 

@@ -5,62 +5,30 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.toolchain.CompilationException;
 
 /** Environments share the files of their packages, and no package can change those of another. */
 @Tag("slow")
-class UnpackedWheelsTest {
+class UnpackedWheelsTest extends PackagesTest {
   private static final String ARM = "sitaf_unpacked_arm";
   private static final String EVIL = "sitaf_unpacked_evil";
 
-  @TempDir private Path directory;
-  private LocalIndex index;
-  private Sandbox sandbox;
-  private Environments environments;
-
   @BeforeEach
-  void start() throws Exception {
-    sandbox = SandboxMode.AUTO.open();
-    index = new LocalIndex();
-    environments = index.environments(directory, sandbox);
+  void addArm() throws Exception {
     index.add(
         "sitaf-unpacked-arm",
         ARM + "-1.0-py3-none-any.whl",
         LocalIndex.wheel(ARM, "OF = 'the arm'\n"));
   }
 
-  @AfterEach
-  void stop() {
-    index.close();
-  }
-
   private Path make(Path... wheels) throws Exception {
-    return environments.with(
-        new Requirements(
-            List.of("sitaf-unpacked-arm"),
-            "activity/component/requirements.txt",
-            List.of(wheels),
-            null),
-        Files.createTempDirectory(directory, "scratch"),
-        Duration.ofMinutes(4),
-        sandbox);
-  }
-
-  private static Path packages(Path environment) throws Exception {
-    try (var versions = Files.newDirectoryStream(environment.resolve("lib"), "python*")) {
-      return versions.iterator().next().resolve("site-packages");
-    }
+    return make(List.of("sitaf-unpacked-arm"), List.of(wheels), null);
   }
 
   private Path wheel(String name, String file, Map<String, String> further) throws Exception {
@@ -91,8 +59,8 @@ class UnpackedWheelsTest {
                 EVIL + "-1.0.data/data/lib/planted",
                 ""));
 
-    Path attacked = packages(make(evil));
-    Path other = packages(make());
+    Path attacked = sitePackages(make(evil));
+    Path other = sitePackages(make());
 
     assertThat(other).isNotEqualTo(attacked);
     assertThat(other.resolve(ARM + ".py")).hasContent("OF = 'the arm'");
