@@ -37,6 +37,7 @@ class OperationSocketTest {
   @TempDir Path folder;
   private final CountDownLatch unanswered = new CountDownLatch(1);
   private ServerSocketChannel server;
+  private Thread accepting;
   private String path;
 
   @BeforeEach
@@ -44,14 +45,16 @@ class OperationSocketTest {
     path = folder.resolve("s.ops").toString();
     server = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
     server.bind(UnixDomainSocketAddress.of(path));
-    Thread thread = new Thread(this::accept, "server");
-    thread.setDaemon(true);
-    thread.start();
+    accepting = new Thread(this::accept, "server");
+    accepting.setDaemon(true);
+    accepting.start();
   }
 
   @AfterEach
-  void end() throws IOException {
+  void end() throws Exception {
     server.close();
+    // A thread that waits in accept() takes one more connection until it has been woken.
+    accepting.join();
   }
 
   private void accept() {
@@ -176,9 +179,9 @@ class OperationSocketTest {
   }
 
   @Test
-  void aSimulatorThatHasGoneIsUnavailable() throws IOException {
+  void aSimulatorThatHasGoneIsUnavailable() throws Exception {
     try (OperationSocket socket = OperationSocket.open(path).orElseThrow()) {
-      server.close();
+      end();
       for (int attempt = 0; attempt < 2; attempt++) {
         assertThatExceptionOfType(StatusRuntimeException.class)
             .isThrownBy(() -> socket.operate(step(LAST)))
@@ -188,8 +191,8 @@ class OperationSocketTest {
   }
 
   @Test
-  void withoutAServerThereIsNone() throws IOException {
-    server.close();
+  void withoutAServerThereIsNone() throws Exception {
+    end();
     Optional<OperationSocket> opened = OperationSocket.open(path);
     assertThat(opened).isEmpty();
     assertThat(OperationSocket.open(folder.resolve("x".repeat(200)).toString())).isEmpty();
