@@ -12,6 +12,7 @@ import { Link, Outlet, useLocation, useNavigate } from '@tanstack/react-router';
 import { Suspense, useEffect } from 'react';
 import { AgentsStatus } from '@/features/agents';
 import { useSession, useSignOut } from '@/features/session';
+import { visible } from '@/shared/lib/visible';
 import { Loading, RouteLink, UserText } from '@/shared/ui';
 import { ConnectionBanner } from './ConnectionBanner';
 import classes from './Shell.module.css';
@@ -94,6 +95,7 @@ function Account({ name }: { name: string }) {
       <Button
         size="compact-sm"
         variant="default"
+        title={`Signed in as ${visible(name)}`}
         loading={signOut.isPending}
         onClick={() => {
           signOut.mutate();
