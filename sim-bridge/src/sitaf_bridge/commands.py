@@ -72,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
         "--endpoints",
         type=Path,
         metavar="FOLDER",
-        help="for one build: create sockets for test applications in FOLDER, each with one session and one world; "
+        help="create sockets for test applications in FOLDER, each with one session and one world; "
         "a client of --listen opens them",
     )
     serve.add_argument("--parent-pid", type=_positive_int, metavar="PID", help="stop when this process ends")

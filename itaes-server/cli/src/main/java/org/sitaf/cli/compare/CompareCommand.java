@@ -13,6 +13,7 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.cli.Sitaf;
 import org.sitaf.cli.file.Installation;
 import org.sitaf.cli.file.SuiteCache;
@@ -95,6 +96,15 @@ public final class CompareCommand implements Callable<Integer> {
               + " a package that it uses. BASE and NEW may be the same activity.")
   private @Nullable String newPackage;
 
+  @Option(
+      names = "--new-bridge",
+      paramLabel = "ADDRESS",
+      description =
+          "NEW runs on the simulation bridge at this address (unix:/PATH or HOST:PORT), for example"
+              + " one with another release of MuJoCo, started with --endpoints. BASE and NEW may be"
+              + " the same activity.")
+  private @Nullable String newBridge;
+
   @Mixin private final SeedOption seed = new SeedOption();
 
   @Mixin private final SandboxOption sandbox = new SandboxOption();
@@ -116,19 +126,26 @@ public final class CompareCommand implements Callable<Integer> {
     if (model == null) {
       modelsOfBaseOnly(before, after, merged);
     }
-    int withWorld = after.activity().profile().world() == null ? 0 : 2 * models.size();
+    NewBridge bridge = newBridge == null ? null : NewBridge.at(newBridge, after.activity());
+    int withWorld =
+        after.activity().profile().world() == null ? 0 : (bridge == null ? 2 : 1) * models.size();
+    LocalBuilds.OutputFolders none = new LocalBuilds.OutputFolders(null, null, false);
+    Sandbox opened = sandbox.open();
     try (LocalBuilds builds =
-            new LocalBuilds(
-                Installation.current(),
-                sandbox.open(),
-                false,
-                new LocalBuilds.OutputFolders(null, null, false),
-                withWorld);
+            new LocalBuilds(Installation.current(), opened, false, none, withWorld);
+        LocalBuilds elsewhere =
+            bridge == null
+                ? null
+                : LocalBuilds.onBridge(Installation.current(), opened, none, bridge.address());
         ProgressLine progress = new ProgressLine(System.err)) {
       err.println("sandbox: " + builds.sandbox());
+      if (bridge != null) {
+        err.println("simulator of NEW: " + bridge.version());
+      }
       err.flush();
+      Runs runs = new Runs(builds, elsewhere == null ? builds : elsewhere, progress);
       for (TestModel each : models) {
-        compare(before, after, each, builds, progress, merged);
+        compare(before, after, each, runs, merged);
       }
     }
     Comparison comparison = merged.comparison();
@@ -181,13 +198,7 @@ public final class CompareCommand implements Callable<Integer> {
                     new NotComparable(name, 0, "", "NEW does not have this model")));
   }
 
-  private void compare(
-      Version before,
-      Version after,
-      TestModel tested,
-      LocalBuilds builds,
-      ProgressLine progress,
-      Merged merged)
+  private void compare(Version before, Version after, TestModel tested, Runs runs, Merged merged)
       throws IOException, InterruptedException {
     BaseModel ofBase = BaseModel.of(before.activity(), after.activity(), tested);
     merged.notComparable.addAll(ofBase.notComparable());
@@ -203,9 +214,9 @@ public final class CompareCommand implements Callable<Integer> {
         new ModelComparison(
                 suite,
                 new CaseComparison(after.activity(), tested, suite, ulp, ofBase.judged()),
-                new VersionRuns(builds, before, inBase),
-                new VersionRuns(builds, after, tested),
-                progress)
+                new VersionRuns(runs.ofBase(), before, inBase),
+                new VersionRuns(runs.ofNew(), after, tested),
+                runs.progress())
             .run();
     merged.add(outcome);
   }
@@ -222,6 +233,9 @@ public final class CompareCommand implements Callable<Integer> {
       }
     }
   }
+
+  /** Where the versions run. */
+  private record Runs(LocalBuilds ofBase, LocalBuilds ofNew, ProgressLine progress) {}
 
   /** The comparisons of all models. */
   private static final class Merged {

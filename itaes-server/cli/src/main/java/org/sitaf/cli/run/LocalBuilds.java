@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildListener;
@@ -89,14 +90,29 @@ public final class LocalBuilds implements AutoCloseable {
       int withWorld,
       Map<String, String> devices)
       throws IOException {
+    this(
+        installation,
+        sandbox,
+        coverage,
+        folders,
+        devices,
+        directory ->
+            Simulator.started(
+                installation.bridgeCommand(), directory.resolve("simulator"), sandbox, withWorld));
+  }
+
+  private LocalBuilds(
+      Installation installation,
+      Sandbox sandbox,
+      boolean coverage,
+      OutputFolders folders,
+      Map<String, String> devices,
+      Function<Path, Simulator> simulator)
+      throws IOException {
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
-                Simulator.started(
-                    installation.bridgeCommand(),
-                    directory.resolve("simulator"),
-                    sandbox,
-                    withWorld),
+                simulator.apply(directory),
                 new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
                 sandbox,
                 coverage,
@@ -104,6 +120,18 @@ public final class LocalBuilds implements AutoCloseable {
             // The user of this machine runs an activity of his own choice.
             .offering(new OfferedDevices(devices, true));
     this.folders = folders;
+  }
+
+  /**
+   * Builds whose simulations run on a bridge that the user started.
+   *
+   * @param bridge its gRPC target
+   */
+  public static LocalBuilds onBridge(
+      Installation installation, Sandbox sandbox, OutputFolders folders, String bridge)
+      throws IOException {
+    return new LocalBuilds(
+        installation, sandbox, false, folders, Map.of(), directory -> Simulator.running(bridge));
   }
 
   /** A description of the sandbox, or the reason why there is none. */

@@ -37,7 +37,7 @@ public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulato
   /**
    * Lets the sessions of endpoints that are opened later sample signals.
    *
-   * @throws SimulatorException if the simulator is shared with others
+   * @throws SimulatorException if the simulator opens no endpoints for a build
    */
   void sample(SignalOrder order) throws SimulatorException;
 

@@ -158,9 +158,10 @@ final class OwnSimulator implements BuildSimulator {
       BridgeProcess current = runningBridge();
       String name = "e" + ++endpoints;
       try {
-        current
-            .client()
-            .openEndpoint(name, offered.compiled().digest(), signals, hardwareOf(current));
+        String unused =
+            current
+                .client()
+                .openEndpoint(name, offered.compiled().digest(), signals, hardwareOf(current));
         Endpoint opened = new Endpoint(current, name, current.share(name), open);
         open.add(opened);
         return opened;

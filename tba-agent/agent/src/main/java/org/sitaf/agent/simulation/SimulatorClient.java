@@ -25,7 +25,6 @@ import org.sitaf.sim.v1.DeviceDescription;
 import org.sitaf.sim.v1.GetSimulatorFeaturesRequest;
 import org.sitaf.sim.v1.GetSimulatorFeaturesResponse;
 import org.sitaf.sim.v1.OpenEndpointRequest;
-import org.sitaf.sim.v1.OpenEndpointResponse;
 import org.sitaf.sim.v1.ShowMotionRequest;
 import org.sitaf.sim.v1.ShowMotionResponse;
 import org.sitaf.sim.v1.Signal;
@@ -108,14 +107,34 @@ public final class SimulatorClient implements AutoCloseable {
   }
 
   /**
-   * Opens an endpoint of a bridge that serves one build.
+   * Whether the simulator opens endpoints, as a bridge with {@code --endpoints} does.
+   *
+   * @throws SimulatorException if it does not answer
+   */
+  public boolean opensEndpoints() throws SimulatorException {
+    try {
+      ShowMotionResponse unused =
+          administration().showMotion(ShowMotionRequest.getDefaultInstance());
+      return true;
+    } catch (StatusRuntimeException e) {
+      return switch (e.getStatus().getCode()) {
+        case NOT_FOUND -> true;
+        case UNIMPLEMENTED -> false;
+        default -> throw noAnswer(e);
+      };
+    }
+  }
+
+  /**
+   * Opens an endpoint.
    *
    * @param worldDigest digest of the only world that the endpoint offers
    * @param signals what its session samples at each step; null for nothing
    * @param hardware the devices that are not simulated; null if all are
+   * @return the gRPC target of the endpoint
    * @throws SimulatorException if the bridge refuses
    */
-  void openEndpoint(
+  String openEndpoint(
       String name,
       String worldDigest,
       @Nullable SignalOrder signals,
@@ -130,7 +149,7 @@ public final class SimulatorClient implements AutoCloseable {
       request.setHardware(hardware);
     }
     try {
-      OpenEndpointResponse unused = administration().openEndpoint(request.build());
+      return administration().openEndpoint(request.build()).getTarget();
     } catch (StatusRuntimeException e) {
       throw noAnswer(e);
     }

@@ -308,18 +308,6 @@ class SimulatorTest {
   }
 
   @Test
-  void describesAnExistingSimulatorAsShared() throws Exception {
-    try (Simulator running = Simulator.running("127.0.0.1:1");
-        BuildSimulator simulator = running.forBuild();
-        SimulatorEndpoint endpoint = simulator.open()) {
-      assertThat(simulator.description())
-          .isEqualTo("the simulator at 127.0.0.1:1 is shared with others");
-      assertThat(endpoint.target()).isEqualTo("127.0.0.1:1");
-      assertThat(endpoint.isShared()).isTrue();
-    }
-  }
-
-  @Test
   void explainsHowToConfigureASimulator() {
     try (Simulator none = Simulator.none()) {
       assertThatThrownBy(none::forBuild)
