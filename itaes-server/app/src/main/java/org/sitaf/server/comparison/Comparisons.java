@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import org.sitaf.core.compare.Comparison;
+import org.sitaf.core.compare.Difference;
 import org.sitaf.core.compare.NotComparable;
 import org.sitaf.core.compare.result.OtherTools;
 import org.sitaf.core.compare.result.ResultComparison;
@@ -100,6 +101,16 @@ public class Comparisons {
         found.groups().stream()
             .map(group -> new Differences.Group(group.text(), group.differences().size()))
             .toList());
+  }
+
+  /**
+   * The differences in the cases of a build and an earlier one, without those that concern no
+   * single case.
+   *
+   * @throws RequestException if one has no result, or they cannot be compared
+   */
+  public List<Difference> ofCases(String base, String now) {
+    return of(base, now).differences().stream().filter(found -> found.no() > 0).toList();
   }
 
   private ComparedBuilds compare(String base, String now) {

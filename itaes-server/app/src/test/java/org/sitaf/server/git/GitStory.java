@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.Api;
@@ -32,11 +33,15 @@ abstract class GitStory extends ServerTest {
   /** Numbers of the cases that fail; the fake agent reads it, like a component its data. */
   static final String DATA_FILE = FOLDER + "/data/failing.txt";
 
+  /** What the data of a component says that does not compile. */
+  static final String NOT_COMPILING = "does not compile";
+
   private static final Duration TIMEOUT = Duration.ofSeconds(120);
 
   TestRepository repository = TestRepository.create(REPOSITORIES.resolve("unused"));
   private ExecutorService agents = Executors.newSingleThreadExecutor();
   private volatile boolean answering;
+  private volatile boolean holding;
 
   @BeforeEach
   void createRepository() {
@@ -45,6 +50,7 @@ abstract class GitStory extends ServerTest {
     repository.write(DATA_FILE, "");
     repository.write("README.md", "A repository with an activity.");
     answering = true;
+    holding = false;
     agents = Executors.newSingleThreadExecutor();
     agents.execute(this::answer);
   }
@@ -72,10 +78,10 @@ abstract class GitStory extends ServerTest {
           Assignment assignment = agent.nextAssignment();
           running.set(assignment.getAttempt());
           TestApplication application = agent.download(assignment);
-          boolean unused =
-              agent.submit(
-                  assignment.getAttempt(),
-                  FakeAgent.result(application, failing(application), List.of()));
+          while (holding && answering) {
+            pause();
+          }
+          boolean unused = submit(agent, assignment.getAttempt(), application);
           running.set(null);
         }
       } catch (AssertionError | RuntimeException e) {
@@ -84,6 +90,26 @@ abstract class GitStory extends ServerTest {
         heart.shutdownNow();
       }
     }
+  }
+
+  /** Lets the agent keep its results back, or deliver them. */
+  void hold(boolean hold) {
+    holding = hold;
+  }
+
+  private static boolean submit(FakeAgent agent, AttemptRef attempt, TestApplication application) {
+    return data(application).startsWith(NOT_COMPILING)
+        ? agent.submit(
+            attempt,
+            BuildFailure.newBuilder()
+                .setCategory(BuildFailure.Category.COMPILATION)
+                .setMessage("The component does not compile.")
+                .build())
+        : agent.submit(attempt, FakeAgent.result(application, failing(application), List.of()));
+  }
+
+  private static String data(TestApplication application) {
+    return application.activity().files().text("data/failing.txt").orElse("");
   }
 
   private static void beat(FakeAgent agent, @Nullable AttemptRef running) {
@@ -95,8 +121,7 @@ abstract class GitStory extends ServerTest {
   }
 
   private static List<Integer> failing(TestApplication application) {
-    String failing = application.activity().files().text("data/failing.txt").orElse("");
-    return Arrays.stream(failing.strip().split(" "))
+    return Arrays.stream(data(application).strip().split(" "))
         .filter(no -> !no.isEmpty())
         .map(Integer::valueOf)
         .toList();

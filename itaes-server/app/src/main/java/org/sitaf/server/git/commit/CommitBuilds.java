@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Semaphore;
 import java.util.stream.Collectors;
+import org.eclipse.jgit.errors.MissingObjectException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
@@ -20,6 +21,7 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.server.activity.StoredActivities;
 import org.sitaf.server.build.Builds;
+import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.BuildSource;
 import org.sitaf.server.build.request.RealDevices;
@@ -49,10 +51,15 @@ class CommitBuilds {
   /** Known commits among which the last one is searched after a force-push. */
   private static final int MAX_KNOWN = 5000;
 
+  /** Commits of searches are built when nothing else waits. */
+  private static final BuildOptions FOR_BISECTION =
+      new BuildOptions(-50, 1, null, AgentConstraints.NONE, null, null, false);
+
   /** Whole activities in memory. */
   private static final int AT_ONCE = 2;
 
   private final CommitRows commits;
+  private final KnownResults results;
   private final SourceRows sourceRows;
   private final GitSources sources;
   private final StoredActivities activities;
@@ -64,6 +71,7 @@ class CommitBuilds {
 
   CommitBuilds(
       CommitRows commits,
+      KnownResults results,
       SourceRows sourceRows,
       GitSources sources,
       StoredActivities activities,
@@ -72,6 +80,7 @@ class CommitBuilds {
       TransactionTemplate transaction,
       ApplicationEventPublisher events) {
     this.commits = commits;
+    this.results = results;
     this.sourceRows = sourceRows;
     this.sources = sources;
     this.activities = activities;
@@ -154,9 +163,16 @@ class CommitBuilds {
       if (commit.requestNo() == 0 && commit.sha().equals(source.head())) {
         activities.update(source.activityId(), files);
       }
-      planned = plan(source, activity);
+      planned = plan(source, activity, models(commit, activity));
     } catch (InvalidInputException | ComputationTimeoutException e) {
       invalid(commit, String.valueOf(e.getMessage()));
+      return;
+    } catch (MissingObjectException e) {
+      if (!commit.isOfBisection()) {
+        throw e;
+      }
+      // No later fetch brings it back, and the branch must not wait for it.
+      invalid(commit, "The server's copy of the repository no longer has all files of it.");
       return;
     } catch (RequestException e) {
       if (e.reason() == RequestException.Reason.BUSY
@@ -191,10 +207,18 @@ class CommitBuilds {
         });
   }
 
-  private List<Planned> plan(GitSource source, Activity activity) {
+  private List<TestModel> models(GitCommit commit, Activity activity) {
+    if (!commit.isOfBisection()) {
+      return activity.models();
+    }
+    Set<String> needed = results.modelsOfBisection(commit.sourceId(), -commit.requestNo());
+    return activity.models().stream().filter(model -> needed.contains(model.name())).toList();
+  }
+
+  private List<Planned> plan(GitSource source, Activity activity, List<TestModel> models) {
     List<Planned> planned = new ArrayList<>();
-    String toolchains = String.join("\n", commits.toolchains());
-    for (TestModel model : activity.models()) {
+    String toolchains = String.join("\n", results.toolchains());
+    for (TestModel model : models) {
       GeneratedSuite generated = suites.generate(model);
       TestApplication application =
           InterfaceTestApplicationGenerator.generate(activity, model, generated.suite());
@@ -213,12 +237,12 @@ class CommitBuilds {
 
   private String suiteId(String activityId, String model, GeneratedSuite generated) {
     String sha256 = StoredFiles.sha256(Suites.document(generated.suite()));
-    Optional<String> known = commits.suite(activityId, model, sha256);
+    Optional<String> known = results.suite(activityId, model, sha256);
     if (known.isPresent()) {
       return known.get();
     }
     String id = suites.store(activityId, generated);
-    commits.insertSuite(activityId, model, sha256, id);
+    results.insertSuite(activityId, model, sha256, id);
     return id;
   }
 
@@ -240,23 +264,28 @@ class CommitBuilds {
 
   private void request(GitSource source, GitCommit commit, Planned planned, int position) {
     String model = planned.origin().model();
-    Optional<CommitRows.Reusable> same = commits.reusable(commit, model, planned.digest());
+    Optional<KnownResults.Reusable> same = results.reusable(commit, model, planned.digest());
     if (same.isPresent()) {
       commits.insertCell(
           commit.id(), model, position, planned.digest(), same.get().buildId(), same.get().sha());
       return;
     }
-    Map<String, String> labels =
-        commit.requestNo() == 0
-            ? Map.of("branch", source.branch())
-            : Map.of("request", Integer.toString(commit.requestNo()));
     String unused =
         builds.request(
             planned.origin(),
             planned.application(),
-            BuildOptions.DEFAULT,
-            new BuildSource(commit.sha(), labels),
+            commit.isOfBisection() ? FOR_BISECTION : BuildOptions.DEFAULT,
+            new BuildSource(commit.sha(), labels(source, commit)),
             build ->
                 commits.insertCell(commit.id(), model, position, planned.digest(), build, null));
+  }
+
+  private static Map<String, String> labels(GitSource source, GitCommit commit) {
+    if (commit.isOfBisection()) {
+      return Map.of("bisection", Integer.toString(-commit.requestNo()));
+    }
+    return commit.requestNo() == 0
+        ? Map.of("branch", source.branch())
+        : Map.of("request", Integer.toString(commit.requestNo()));
   }
 }

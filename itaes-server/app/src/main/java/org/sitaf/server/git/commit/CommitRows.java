@@ -43,7 +43,10 @@ public class CommitRows {
   /** A commit of the branch or else of a request, preferably one that was pushed to it. */
   public Optional<GitCommit> find(String sourceId, String sha) {
     return jdbc
-        .sql(COLUMNS + "WHERE source_id = ? AND sha = ? ORDER BY merge_base, request_no")
+        .sql(
+            COLUMNS
+                + "WHERE source_id = ? AND sha = ? AND request_no >= 0"
+                + " ORDER BY merge_base, request_no")
         .params(sourceId, sha)
         .query(CommitRows::commit)
         .list()
@@ -51,7 +54,7 @@ public class CommitRows {
         .findFirst();
   }
 
-  /** A commit of the branch or of one request. */
+  /** A commit of the branch, of one request or of one search. */
   public Optional<GitCommit> find(String sourceId, int requestNo, String sha) {
     return jdbc.sql(COLUMNS + "WHERE source_id = ? AND request_no = ? AND sha = ?")
         .params(sourceId, requestNo, sha)
@@ -61,11 +64,16 @@ public class CommitRows {
 
   /** The commits of the branch that no force-push has removed, the newest first. */
   List<GitCommit> branch(String sourceId, int max) {
+    return branchUpTo(sourceId, Long.MAX_VALUE, max);
+  }
+
+  /** The same up to a position. */
+  public List<GitCommit> branchUpTo(String sourceId, long position, int max) {
     return jdbc.sql(
             COLUMNS
-                + "WHERE source_id = ? AND request_no = 0 AND replaced = FALSE"
+                + "WHERE source_id = ? AND request_no = 0 AND replaced = FALSE AND position <= ?"
                 + " ORDER BY position DESC LIMIT ?")
-        .params(sourceId, max)
+        .params(sourceId, position, max)
         .query(CommitRows::commit)
         .list();
   }
@@ -87,6 +95,32 @@ public class CommitRows {
         .single();
   }
 
+  /** Those of some commits that belong to the branch, a request or a search. */
+  public List<GitCommit> list(String sourceId, int requestNo, Collection<String> shas) {
+    return shas.isEmpty()
+        ? List.of()
+        : jdbc.sql(
+                COLUMNS + "WHERE source_id = :source AND request_no = :request AND sha IN (:shas)")
+            .param("source", sourceId)
+            .param("request", requestNo)
+            .param("shas", shas)
+            .query(CommitRows::commit)
+            .list();
+  }
+
+  /** The number of commits of the branch between two of its commits that were left out. */
+  public int notBuilt(GitCommit base, GitCommit commit) {
+    if (commit.requestNo() != 0 || commit.position() - base.position() < 2) {
+      return 0;
+    }
+    return jdbc.sql(
+            "SELECT COUNT(*) FROM git_commit WHERE source_id = ? AND request_no = 0"
+                + " AND replaced = FALSE AND state = 'SKIPPED' AND position > ? AND position < ?")
+        .params(commit.sourceId(), base.position(), commit.position())
+        .query(Integer.class)
+        .single();
+  }
+
   /** The newest heads of requests that were fetched. */
   public List<GitCommit> heads(String sourceId, Collection<Integer> requestNos) {
     return requestNos.isEmpty()
@@ -103,10 +137,15 @@ public class CommitRows {
             .list();
   }
 
-  /** Commits to build: those of the branch first, and each base before what is compared with it. */
+  /**
+   * Commits to build: those of the branch first and those of searches last, and each base before
+   * what is compared with it.
+   */
   public List<GitCommit> waiting(String sourceId) {
     return jdbc.sql(
-            COLUMNS + "WHERE source_id = ? AND state = 'WAITING' ORDER BY request_no, position")
+            COLUMNS
+                + "WHERE source_id = ? AND state = 'WAITING'"
+                + " ORDER BY CASE WHEN request_no < 0 THEN 1 ELSE 0 END, request_no, position")
         .param(sourceId)
         .query(CommitRows::commit)
         .list();
@@ -280,52 +319,6 @@ public class CommitRows {
     jdbc.sql("UPDATE git_cell SET compared = ?, differing = ? WHERE commit_id = ? AND model = ?")
         .params(compared, differing, commitId, model)
         .update();
-  }
-
-  /** A build whose result can be taken over, and the commit that it was made for. */
-  record Reusable(String buildId, String sha) {}
-
-  /**
-   * The latest build that read the same bytes. A build that failed or is suspect is repeated, as it
-   * could end otherwise. Code of the branch never gets a result that was made for a request, which
-   * anyone may have written; neither does another request.
-   */
-  Optional<Reusable> reusable(GitCommit commit, String model, String digest) {
-    // No request has the number -1.
-    int request = commit.mergeBase() || commit.requestNo() == 0 ? -1 : commit.requestNo();
-    return jdbc.sql(
-            "SELECT l.build_id, COALESCE(l.taken_from, c.sha) FROM git_cell l"
-                + " JOIN git_commit c ON c.id = l.commit_id JOIN build b ON b.id = l.build_id"
-                + " WHERE l.digest = ? AND c.source_id = ? AND l.model = ?"
-                + " AND (c.request_no = 0 OR c.merge_base = TRUE OR c.request_no = ?)"
-                + " AND b.state NOT IN ('FAILED', 'CANCELLED') AND b.suspicions IS NULL"
-                + " ORDER BY c.received DESC LIMIT 1")
-        .params(digest, commit.sourceId(), model, request)
-        .query((row, no) -> new Reusable(row.getString(1), row.getString(2)))
-        .optional();
-  }
-
-  Optional<String> suite(String activityId, String model, String sha256) {
-    return jdbc.sql(
-            "SELECT suite_id FROM git_suite WHERE activity_id = ? AND model = ? AND sha256 = ?")
-        .params(activityId, model, sha256)
-        .query(String.class)
-        .optional();
-  }
-
-  void insertSuite(String activityId, String model, String sha256, String suiteId) {
-    jdbc.sql("INSERT INTO git_suite (activity_id, model, sha256, suite_id) VALUES (?, ?, ?, ?)")
-        .params(activityId, model, sha256, suiteId)
-        .update();
-  }
-
-  /** Releases of the agents and versions of their toolchains, which results can depend on. */
-  List<String> toolchains() {
-    return jdbc.sql(
-            "SELECT DISTINCT a.version || ' ' || t.language || ' ' || t.version FROM agent a"
-                + " JOIN agent_toolchain t ON t.agent_name = a.name ORDER BY 1")
-        .query(String.class)
-        .list();
   }
 
   private OffsetDateTime now() {

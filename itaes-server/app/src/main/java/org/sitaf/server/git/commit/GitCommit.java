@@ -6,7 +6,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A commit of a source.
  *
- * @param requestNo number of a pull or merge request; 0 for the branch
+ * @param requestNo number of a pull or merge request; 0 for the branch; negative for a commit of
+ *     the branch that is built only for the search with the opposite number
  * @param position in the branch or the request; later commits have higher ones
  * @param ended when all its builds had ended
  * @param problem why it could not be built
@@ -45,6 +46,11 @@ public record GitCommit(
     DONE,
     /** Cannot be built; the problem says why. */
     INVALID
+  }
+
+  /** Whether it is built only to find the first bad commit. */
+  public boolean isOfBisection() {
+    return requestNo < 0;
   }
 
   /** The beginning of the id. */

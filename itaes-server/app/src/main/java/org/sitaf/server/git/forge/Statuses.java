@@ -103,7 +103,7 @@ class Statuses implements DisposableBean {
     GitCommit commit = commits.find(event.commitId()).orElseThrow();
     GitSource source = sourceRows.find(commit.sourceId()).orElseThrow();
     // The branch reports on its own commits.
-    if (source.project() == null || commit.mergeBase()) {
+    if (source.project() == null || commit.mergeBase() || commit.isOfBisection()) {
       return;
     }
     insert(commit, false, CommitStatus.Result.PENDING, "The tests are running.");

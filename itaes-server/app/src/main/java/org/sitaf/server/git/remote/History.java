@@ -83,6 +83,11 @@ public final class History implements AutoCloseable {
     return new Line(commits, found);
   }
 
+  /** Whether the copy has a commit. */
+  public boolean contains(String commit) throws IOException {
+    return repository.getObjectDatabase().has(ObjectId.fromString(commit));
+  }
+
   /** A commit by its id. */
   public Commit commit(String id) throws IOException {
     try (RevWalk walk = new RevWalk(repository)) {

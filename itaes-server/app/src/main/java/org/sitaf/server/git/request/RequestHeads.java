@@ -59,7 +59,7 @@ class RequestHeads implements Fetches.Heads {
   private void skipOutdated(GitSource source) {
     commits.waiting(source.id()).stream()
         .map(GitCommit::requestNo)
-        .filter(number -> number != 0)
+        .filter(number -> number > 0)
         .distinct()
         .filter(number -> rows.find(source.id(), number).filter(GitRequest::isRecorded).isEmpty())
         .forEach(

@@ -51,7 +51,7 @@ public record GitSource(
 
   /** Which commits of a push are built. */
   public enum Policy {
-    /** The newest one; where it got worse, the others are searched for the first bad commit. */
+    /** The newest one; the others are built when somebody asks for the first bad commit. */
     LATEST,
     /** Each one. */
     EVERY

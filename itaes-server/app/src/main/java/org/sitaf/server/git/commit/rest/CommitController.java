@@ -61,6 +61,9 @@ class CommitController {
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
     PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
+    if (request < 0) {
+      throw RequestException.malformed("request: must be 0 or more, not " + request + ".");
+    }
     GitSource source = sources.require(id);
     List<GitCommit> found =
         commits.list(source.id(), request, pageRequest.getPageSize(), pageRequest.getOffset());

@@ -27,6 +27,10 @@ public record CommitView(
     @Schema(description = "why it cannot be built, and what to do") @Nullable String problem,
     @Schema(description = "the commit that it is compared with; absent for the first one")
         @Nullable String base,
+    @Schema(
+            description =
+                "number of commits of the branch between the base and this one that were not built")
+        int notBuilt,
     @Schema(description = "whether a force-push has removed it from the branch") boolean replaced,
     @Schema(description = "one for each model") List<CellView> cells) {
 

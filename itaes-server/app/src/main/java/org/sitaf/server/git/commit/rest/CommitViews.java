@@ -40,11 +40,18 @@ public class CommitViews {
     commits
         .cells(ids)
         .forEach(c -> cells.computeIfAbsent(c.commitId(), key -> new ArrayList<>()).add(c));
-    return found.stream().map(commit -> view(commit, bases.get(commit.id()), cells)).toList();
+    return found.stream()
+        .map(
+            commit -> {
+              GitCommit base = bases.get(commit.id());
+              int notBuilt = base == null ? 0 : commits.notBuilt(base, commit);
+              return view(commit, base, notBuilt, cells);
+            })
+        .toList();
   }
 
   private static CommitView view(
-      GitCommit commit, @Nullable GitCommit base, Map<String, List<GitCell>> cells) {
+      GitCommit commit, @Nullable GitCommit base, int notBuilt, Map<String, List<GitCell>> cells) {
     List<GitCell> before = base == null ? List.of() : cells.getOrDefault(base.id(), List.of());
     return new CommitView(
         commit.sha(),
@@ -58,6 +65,7 @@ public class CommitViews {
         commit.state(),
         commit.problem(),
         base == null ? null : base.sha(),
+        notBuilt,
         commit.replaced(),
         cells.getOrDefault(commit.id(), List.of()).stream()
             .map(
