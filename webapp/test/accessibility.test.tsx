@@ -8,6 +8,7 @@ import {
   activity,
   build,
   doneBuild,
+  gitBisection,
   gitRequest,
   gitSource,
   MODEL,
@@ -26,6 +27,7 @@ eachWithServer((started) => {
   server.suiteCases = suiteCases(9);
   server.models.set('GetInfraredData', MODEL);
   server.gitSource = gitSource();
+  server.gitBisections.push(gitBisection(1, 'b'.repeat(40)));
   server.gitRequests.push(gitRequest(8, { fork: true, waitsForApproval: true }));
 });
 

@@ -10,6 +10,7 @@ import type {
   CaseSignals,
   Diagnostic,
   Difference,
+  GitBisection,
   GitCommit,
   GitRequest,
   GitSource,
@@ -20,7 +21,7 @@ import type {
   ValueComparison,
   SuiteCase,
 } from '@/shared/api';
-import { AGENT, activity, build, result, suite } from './samples';
+import { AGENT, activity, build, gitBisection, result, suite } from './samples';
 
 /** Size of a part of a log in bytes. */
 export const LOG_PART = 1_000;
@@ -67,6 +68,7 @@ const NOUNS = [
   'explanation',
   'failures',
   'files',
+  'bisections',
   'git',
   'log',
   'model-previews',
@@ -154,6 +156,7 @@ export class FakeServer {
   gitSource: GitSource | undefined;
   /** Commits of the branch, and of pull or merge requests. */
   readonly gitCommits: GitCommit[] = [];
+  readonly gitBisections: GitBisection[] = [];
   readonly gitRequests: GitRequest[] = [];
   /** Heads that somebody asked to build. */
   readonly builtHeads: unknown[] = [];
@@ -299,6 +302,30 @@ export class FakeServer {
           query,
         ),
       };
+    },
+    'GET activities * git bisections': ({ query }) => ({
+      status: 200,
+      json: pageOf(this.gitBisections, query),
+    }),
+    'POST activities * git bisections': ({ body }) => {
+      const { commit } = JSON.parse(body.toString()) as { commit: string };
+      const running = this.gitBisections.find(({ state }) => state === 'RUNNING');
+      if (running) {
+        return {
+          status: 409,
+          problem: true,
+          json: { title: 'Conflict', detail: `Search ${running.number} runs.`, status: 409 },
+        };
+      }
+      const begun = gitBisection(this.gitBisections.length + 1, commit);
+      this.gitBisections.unshift(begun);
+      return { status: 201, json: begun };
+    },
+    'POST activities * git bisections * cancel': ({ path }) => {
+      const search = this.gitBisections.find(({ number }) => number === Number(path[4]));
+      if (!search) return notFound();
+      search.state = 'CANCELLED';
+      return { status: 200, json: search };
     },
     'GET activities * git requests': ({ query }) => {
       const state = query.get('state');

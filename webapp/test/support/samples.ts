@@ -4,6 +4,7 @@ import type {
   Agent,
   Build,
   CaseSignals,
+  GitBisection,
   GitCommit,
   GitRequest,
   GitSource,
@@ -166,8 +167,33 @@ export function gitCommit(sha: string, changes: Partial<GitCommit> = {}): GitCom
     authored: CREATED,
     received: CREATED,
     state: 'DONE',
+    notBuilt: 0,
     replaced: false,
     cells: [],
+    ...changes,
+  };
+}
+
+export function gitBisection(
+  number: number,
+  bad: string,
+  changes: Partial<GitBisection> = {},
+): GitBisection {
+  return {
+    number,
+    state: 'RUNNING',
+    bad,
+    good: 'a'.repeat(40),
+    kind: 'FAILURES',
+    criterion: 'Fails: GetInfraredData, case 7',
+    commits: 15,
+    left: 15,
+    builds: 0,
+    testing: 'd'.repeat(40),
+    tested: [],
+    firstBad: [],
+    askedBy: 'tester',
+    created: CREATED,
     ...changes,
   };
 }

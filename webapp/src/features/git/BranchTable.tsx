@@ -2,6 +2,7 @@ import { Badge, Stack, Table, Text, Tooltip } from '@mantine/core';
 import type { GitCell, GitCommit } from '@/shared/api';
 import { shortCommit } from '@/shared/lib/commits';
 import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
+import { BeginBisection, hasUnknownOrigin } from './BeginBisection';
 import { COMMITS_PER_PAGE, useGitCommits } from './queries';
 
 interface BranchTableProps {
@@ -13,13 +14,22 @@ interface BranchTableProps {
   onPage: (page: number) => void;
   /** The commit of a link in a status. */
   marked?: string | undefined;
+  /** Whether the user may let commits be built. */
+  mayBuild: boolean;
 }
 
 /**
  * Commits as rows, models as columns; each cell says what differs from the commit before, or from
  * the merge base of a request.
  */
-export function BranchTable({ activityId, request, page, onPage, marked }: BranchTableProps) {
+export function BranchTable({
+  activityId,
+  request,
+  page,
+  onPage,
+  marked,
+  mayBuild,
+}: BranchTableProps) {
   const commits = useGitCommits(activityId, request, page);
   if (commits.isPending) return <Loading what="the commits" />;
   if (!commits.data) {
@@ -45,7 +55,9 @@ export function BranchTable({ activityId, request, page, onPage, marked }: Branc
           {items.map((commit) => (
             <CommitRow
               key={commit.sha}
+              activityId={activityId}
               commit={commit}
+              mayBuild={mayBuild}
               models={models}
               marked={commit.sha === marked}
             />
@@ -64,12 +76,14 @@ export function BranchTable({ activityId, request, page, onPage, marked }: Branc
 }
 
 interface CommitRowProps {
+  activityId: string;
+  mayBuild: boolean;
   commit: GitCommit;
   models: readonly string[];
   marked: boolean;
 }
 
-function CommitRow({ commit, models, marked }: CommitRowProps) {
+function CommitRow({ activityId, commit, models, marked, mayBuild }: CommitRowProps) {
   return (
     <Table.Tr aria-current={marked ? 'true' : undefined}>
       <Table.Td>
@@ -94,6 +108,9 @@ function CommitRow({ commit, models, marked }: CommitRowProps) {
           <Text size="sm" c="red">
             <UserText>{commit.problem}</UserText>
           </Text>
+        )}
+        {mayBuild && hasUnknownOrigin(commit) && (
+          <BeginBisection activityId={activityId} commit={commit} />
         )}
       </Table.Td>
       {models.map((model) => {

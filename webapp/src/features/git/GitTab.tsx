@@ -1,5 +1,6 @@
 import { Stack, Text } from '@mantine/core';
 import { Loading, ProblemAlert, RouteLink, Section } from '@/shared/ui';
+import { Bisections } from './Bisections';
 import { BranchTable } from './BranchTable';
 import { GitSettings } from './GitSettings';
 import { useGitSource } from './queries';
@@ -15,7 +16,7 @@ interface GitTabProps {
   onPage: (page: number) => void;
   /** The commit of a link in a status. */
   marked?: string | undefined;
-  /** Whether the user may let the code of a request run. */
+  /** Whether the user may let commits be built, also those of a request. */
   mayBuild: boolean;
 }
 
@@ -55,8 +56,10 @@ export function GitTab({ activityId, request, page, onPage, marked, mayBuild }: 
               page={page}
               onPage={onPage}
               marked={marked}
+              mayBuild={mayBuild}
             />
           </Section>
+          {request === undefined && <Bisections activityId={activityId} mayBuild={mayBuild} />}
           <Requests activityId={activityId} forge={source.data.forge} mayBuild={mayBuild} />
         </>
       ) : (

@@ -9,6 +9,9 @@ export const COMMITS_PER_PAGE = 30;
 /** Page size of the list of pull or merge requests. */
 export const REQUESTS_PER_PAGE = 20;
 
+/** The searches for first bad commits that are shown. */
+const SEARCHES = 10;
+
 export type GitRequestState = GitRequest['state'];
 
 /** Milliseconds between two looks at commits whose builds run. */
@@ -90,6 +93,52 @@ export function useBuildGitRequest(activityId: string) {
         api.POST('/api/v1/activities/{id}/git/requests/{number}/build', {
           params: { path: { id: activityId, number } },
           body: { head },
+        }),
+      ),
+    onSettled: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
+  });
+}
+
+/** The newest searches for first bad commits of the branch. */
+export function useGitBisections(activityId: string) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...GIT, activityId, 'bisections'],
+    queryFn: ({ signal }) =>
+      dataOf(
+        api.GET('/api/v1/activities/{id}/git/bisections', {
+          params: { path: { id: activityId }, query: { page: 0, size: SEARCHES } },
+          signal,
+        }),
+      ),
+    refetchInterval: REFRESH_MS,
+  });
+}
+
+/** Searches the first bad commit up to a commit of the branch. */
+export function useBeginGitBisection(activityId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (commit: string) =>
+      dataOf(
+        api.POST('/api/v1/activities/{id}/git/bisections', {
+          params: { path: { id: activityId } },
+          body: { commit },
+        }),
+      ),
+    onSettled: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
+  });
+}
+
+export function useCancelGitBisection(activityId: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (number: number) =>
+      dataOf(
+        api.POST('/api/v1/activities/{id}/git/bisections/{number}/cancel', {
+          params: { path: { id: activityId, number } },
         }),
       ),
     onSettled: () => cache.invalidateQueries({ queryKey: [...GIT, activityId] }),
