@@ -89,7 +89,8 @@ class BisectionRestartTest {
   }
 
   private ServerProcess start() throws Exception {
-    return new ServerProcess(data, "--sitaf.git.file-folders=" + repositories);
+    // The agent sends no heartbeats.
+    return new ServerProcess(data, "--sitaf.git.file-folders=" + repositories, "--sitaf.lease=10m");
   }
 
   private static boolean isDone(JsonNode commits, int count) {
