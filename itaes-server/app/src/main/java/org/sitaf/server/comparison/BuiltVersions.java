@@ -18,7 +18,7 @@ import org.springframework.stereotype.Component;
 
 /** Reads the activity, the model and the cases as they were stored with a build. */
 @Component
-class BuiltVersions {
+public class BuiltVersions {
   /** Folder of the activity in a test application. */
   private static final String ACTIVITY = "activity/";
 
@@ -51,16 +51,36 @@ class BuiltVersions {
    */
   BuiltVersion read(String buildId, String modelName) {
     Map<String, String> files = files(buildId);
-    Map<String, byte[]> bytes = new LinkedHashMap<>();
-    files.forEach((path, sha256) -> bytes.put(path, contents.content(sha256)));
-    Activity activity = bytes.isEmpty() ? null : activities.read(FileTree.of(bytes));
+    Activity activity = activity(buildId, files);
     List<BuiltFile> suites = of(buildId, "path = '" + SUITE + "'");
-    if (activity == null || suites.isEmpty()) {
-      throw RequestException.conflict(
-          "The results cannot be compared: the files of build " + buildId + " are not stored.");
+    if (suites.isEmpty()) {
+      throw notStored(buildId);
     }
     return new BuiltVersion(
         activity, StoredActivities.model(activity, modelName), suite(suites), files);
+  }
+
+  /**
+   * Reads the activity that was built.
+   *
+   * @throws RequestException if the build has no files
+   */
+  public Activity activity(String buildId) {
+    return activity(buildId, files(buildId));
+  }
+
+  private Activity activity(String buildId, Map<String, String> files) {
+    if (files.isEmpty()) {
+      throw notStored(buildId);
+    }
+    Map<String, byte[]> bytes = new LinkedHashMap<>();
+    files.forEach((path, sha256) -> bytes.put(path, contents.content(sha256)));
+    return activities.read(FileTree.of(bytes));
+  }
+
+  private static RequestException notStored(String buildId) {
+    return RequestException.conflict(
+        "The results cannot be compared: the files of build " + buildId + " are not stored.");
   }
 
   /** The cases of all shards. */

@@ -4,9 +4,11 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.time.Instant;
 import java.time.ZoneOffset;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.compare.result.CaseIdentity;
 import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
@@ -60,9 +62,10 @@ class ResultRows {
             document,
             json.writeValueAsString(Overview.of(result)))
         .update();
+    Iterator<String> fingerprints = CaseIdentity.fingerprints(result).iterator();
     batches.batchUpdate(
-        "INSERT INTO result_case (build_id, no, verdict, processing_time_us, outcome)"
-            + " VALUES (?, ?, ?, ?, ?)",
+        "INSERT INTO result_case (build_id, no, verdict, processing_time_us, outcome, fingerprint)"
+            + " VALUES (?, ?, ?, ?, ?, ?)",
         result.cases(),
         BATCH_SIZE,
         (row, outcome) -> {
@@ -74,6 +77,7 @@ class ResultRows {
               outcome.micros().isEmpty() ? null : outcome.micros().getAsDouble(),
               java.sql.Types.DOUBLE);
           row.setString(5, toText(outcome));
+          row.setString(6, fingerprints.next());
         });
   }
 

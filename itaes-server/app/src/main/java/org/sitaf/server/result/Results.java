@@ -82,6 +82,15 @@ public class Results {
   }
 
   /**
+   * Returns the parameters of the cases of a result.
+   *
+   * @throws RequestException if there is no result
+   */
+  public List<CaseParameter> parameters(String buildId) {
+    return overview(buildId).parameters();
+  }
+
+  /**
    * Returns the document of an accepted result as the agent sent it.
    *
    * @throws RequestException if there is no result

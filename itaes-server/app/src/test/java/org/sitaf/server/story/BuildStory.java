@@ -22,7 +22,7 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
 /** Builds from request to result, with a fake agent. Runs with each database. */
-abstract class BuildStory extends AnalysisStory {
+abstract class BuildStory extends CaseHistoryStory {
   @Autowired private JdbcClient jdbc;
 
   @Test

@@ -14,6 +14,7 @@ import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.sequence.SequenceCall;
 import org.sitaf.core.model.sequence.SequenceSpec;
+import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
@@ -28,7 +29,7 @@ public final class CaseComparison {
 
   private final Activity activity;
   private final TestModel model;
-  private final TestSuite suite;
+  private final List<CaseParameter> parameters;
   private final int ulp;
   private final boolean withVerdicts;
 
@@ -41,12 +42,22 @@ public final class CaseComparison {
    */
   public CaseComparison(
       Activity activity, TestModel model, TestSuite suite, int ulp, boolean withVerdicts) {
+    this(activity, model, suite.parameters(), ulp, withVerdicts);
+  }
+
+  /** Creates a comparison of cases with these parameters. */
+  public CaseComparison(
+      Activity activity,
+      TestModel model,
+      List<CaseParameter> parameters,
+      int ulp,
+      boolean withVerdicts) {
     if (ulp < 0) {
       throw new IllegalArgumentException("ulp must be at least 0, not " + ulp);
     }
     this.activity = activity;
     this.model = model;
-    this.suite = suite;
+    this.parameters = List.copyOf(parameters);
     this.ulp = ulp;
     this.withVerdicts = withVerdicts;
   }
@@ -79,8 +90,8 @@ public final class CaseComparison {
   /** The inputs of a case by name. */
   public Map<String, String> inputs(TestCase testCase) {
     Map<String, String> inputs = new LinkedHashMap<>();
-    for (int i = 0; i < suite.parameters().size(); i++) {
-      inputs.put(suite.parameters().get(i).name(), testCase.values().get(i));
+    for (int i = 0; i < parameters.size(); i++) {
+      inputs.put(parameters.get(i).name(), testCase.values().get(i));
     }
     return inputs;
   }

@@ -71,6 +71,11 @@ public class GitSources {
     return copies.resolve(sourceId);
   }
 
+  /** The source of an activity that has one. */
+  public Optional<GitSource> find(String activityId) {
+    return rows.ofActivity(activityId);
+  }
+
   /**
    * The source of an activity.
    *

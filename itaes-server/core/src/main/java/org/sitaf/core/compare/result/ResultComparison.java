@@ -28,7 +28,6 @@ import org.sitaf.core.compare.NotComparable;
 import org.sitaf.core.compare.SlowerCases;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestCase;
-import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.verdict.CaseRecord;
@@ -166,11 +165,13 @@ public final class ResultComparison {
 
   /** The numbers of the same cases: those in the base result by those in the new one. */
   public static Map<Integer, Integer> matching(TestResult base, TestResult now) {
-    Map<List<List<String>>, Deque<Integer>> numbers = new HashMap<>();
-    base.cases().forEach(c -> numbers.computeIfAbsent(key(c), k -> new ArrayDeque<>()).add(c.no()));
+    Map<CaseIdentity, Deque<Integer>> numbers = new HashMap<>();
+    base.cases()
+        .forEach(
+            c -> numbers.computeIfAbsent(CaseIdentity.of(c), k -> new ArrayDeque<>()).add(c.no()));
     Map<Integer, Integer> matching = new HashMap<>();
     for (CaseResult each : now.cases()) {
-      Integer before = numbers.getOrDefault(key(each), new ArrayDeque<>()).poll();
+      Integer before = numbers.getOrDefault(CaseIdentity.of(each), new ArrayDeque<>()).poll();
       if (before != null) {
         matching.put(each.no(), before);
       }
@@ -192,9 +193,7 @@ public final class ResultComparison {
     CaseRun right = new CaseRun(both.now(), after, now.signals().apply(after.no()));
     ofBase.put(testCase.no(), left);
     ofNow.put(testCase.no(), right);
-    TestCase withSteps =
-        new TestCase(
-            testCase.no(), testCase.valid(), testCase.values(), List.of(), steps(after.steps()));
+    TestCase withSteps = CaseChanges.withSteps(after, testCase.valid());
     boolean sameExpectations =
         before.expected().equals(after.expected())
             && expectations(before).equals(expectations(after));
@@ -203,26 +202,6 @@ public final class ResultComparison {
 
   private static List<List<NamedValue>> expectations(CaseResult result) {
     return result.steps().stream().map(StepResult::expected).toList();
-  }
-
-  private static List<TestStep> steps(List<StepResult> steps) {
-    return steps.stream()
-        .map(s -> new TestStep(s.name(), s.kind() == StepResult.Kind.VALID, s.values(), List.of()))
-        .toList();
-  }
-
-  /** What identifies a case: its values, and its steps with theirs. */
-  private static List<List<String>> key(CaseResult result) {
-    if (result.steps().isEmpty()) {
-      return List.of(result.values());
-    }
-    List<List<String>> key = new ArrayList<>();
-    key.add(result.values());
-    for (StepResult step : result.steps()) {
-      key.add(List.of(step.name()));
-      key.add(step.values());
-    }
-    return key;
   }
 
   private List<Difference> slower() {
