@@ -10,6 +10,7 @@ import {
   activitySearch,
   buildSearch,
   buildsSearch,
+  caseHistorySearch,
   compareSearch,
   foundSearch,
   listSearch,
@@ -64,6 +65,13 @@ const model = createRoute({
   getParentRoute,
   path: '/activities/$activityId/models/$model',
   component: lazyRouteComponent(() => import('./pages/ModelPage'), 'ModelPage'),
+});
+
+const caseHistory = createRoute({
+  getParentRoute,
+  path: '/activities/$activityId/history/$model',
+  validateSearch: caseHistorySearch,
+  component: lazyRouteComponent(() => import('./pages/CaseHistoryPage'), 'CaseHistoryPage'),
 });
 
 const suite = createRoute({
@@ -158,6 +166,7 @@ export function createPortalRouter(history?: RouterHistory) {
       activity,
       newModel,
       model,
+      caseHistory,
       suite,
       builds,
       build,

@@ -78,6 +78,15 @@ export interface ReplaySearch {
   at?: number;
 }
 
+export const HISTORY_POINTS = ['COMMITS', 'BUILDS'] as const;
+
+/** A case by its number in a build, default the one with the newest result. */
+export interface CaseHistorySearch extends ListSearch {
+  build?: string;
+  case?: number;
+  points?: (typeof HISTORY_POINTS)[number];
+}
+
 export interface CompareSearch {
   with?: string;
   /** Index of a group of differences. */
@@ -156,6 +165,15 @@ export function newScheduleSearch(raw: Raw): NewScheduleSearch {
 
 export function replaySearch(raw: Raw): ReplaySearch {
   return { ...textIn(raw, 'condition'), ...secondsIn(raw, 'at') };
+}
+
+export function caseHistorySearch(raw: Raw): CaseHistorySearch {
+  return {
+    ...listSearch(raw),
+    ...textIn(raw, 'build'),
+    ...numberIn(raw, 'case', 1),
+    ...choiceIn(raw, 'points', HISTORY_POINTS),
+  };
 }
 
 export function compareSearch(raw: Raw): CompareSearch {

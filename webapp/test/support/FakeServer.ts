@@ -7,6 +7,7 @@ import type {
   Build,
   BuildAnalysis,
   BuildRequest,
+  CaseHistory,
   CaseSignals,
   Diagnostic,
   Difference,
@@ -57,6 +58,7 @@ const NOUNS = [
   'cancel',
   'build',
   'calendars',
+  'case-history',
   'commits',
   'cases',
   'causes',
@@ -154,6 +156,8 @@ export class FakeServer {
   role = 'TESTER';
   /** Of any activity. */
   gitSource: GitSource | undefined;
+  /** The histories of cases by their numbers. */
+  readonly caseHistories = new Map<number, CaseHistory>();
   /** Commits of the branch, and of pull or merge requests. */
   readonly gitCommits: GitCommit[] = [];
   readonly gitBisections: GitBisection[] = [];
@@ -291,6 +295,12 @@ export class FakeServer {
     'POST activities * model-previews': ({ body }) => {
       this.previews.push(body.toString());
       return { status: 200, json: this.preview };
+    },
+    'GET activities * case-history': ({ query }) => {
+      const history = this.caseHistories.get(Number(query.get('no')));
+      if (!history) return notFound();
+      const by = query.get('by') === 'BUILDS' ? 'BUILDS' : history.by;
+      return { status: 200, json: { ...history, ...pageOf(history.items, query), by } };
     },
     'GET activities * git': () => found(this.gitSource),
     'GET activities * git commits': ({ query }) => {

@@ -62,6 +62,15 @@ export function BuildPage() {
       <RouteLink to="/builds/$buildId/cases/$caseNo" params={{ buildId, caseNo: String(no) }}>
         3D replay
       </RouteLink>
+      {done && !build.data.parentId && (
+        <RouteLink
+          to="/activities/$activityId/history/$model"
+          params={{ activityId, model }}
+          search={{ build: buildId, case: no }}
+        >
+          History of the case
+        </RouteLink>
+      )}
       {done && <RunCaseAgain build={build.data} no={no} />}
       <CaseLog buildId={buildId} no={no} />
     </>

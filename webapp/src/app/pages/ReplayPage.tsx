@@ -58,6 +58,16 @@ export function ReplayPage() {
           </Title>
         </div>
         <Group gap="sm">
+          {done && !build.data.parentId && (
+            <RouteLink
+              to="/activities/$activityId/history/$model"
+              params={{ activityId, model }}
+              search={{ build: buildId, case: no }}
+              size="sm"
+            >
+              History of the case
+            </RouteLink>
+          )}
           {done && <RunCaseAgain build={build.data} no={no} />}
           <DebugCase build={build.data} no={no} />
           <Neighbours key={buildId} buildId={buildId} no={no} />

@@ -56,6 +56,7 @@ export function BranchTable({
             <CommitRow
               key={commit.sha}
               activityId={activityId}
+              ofRequest={request !== undefined}
               commit={commit}
               mayBuild={mayBuild}
               models={models}
@@ -77,13 +78,22 @@ export function BranchTable({
 
 interface CommitRowProps {
   activityId: string;
+  /** The commits of a request are not in the history of a case. */
+  ofRequest: boolean;
   mayBuild: boolean;
   commit: GitCommit;
   models: readonly string[];
   marked: boolean;
 }
 
-function CommitRow({ activityId, commit, models, marked, mayBuild }: CommitRowProps) {
+function CommitRow({
+  activityId,
+  ofRequest,
+  commit,
+  models,
+  marked,
+  mayBuild,
+}: CommitRowProps) {
   return (
     <Table.Tr aria-current={marked ? 'true' : undefined}>
       <Table.Td>
@@ -117,7 +127,15 @@ function CommitRow({ activityId, commit, models, marked, mayBuild }: CommitRowPr
         const cell = commit.cells.find((one) => one.model === model);
         return (
           <Table.Td key={model}>
-            {cell ? <Cell commit={commit} cell={cell} /> : <NoCell commit={commit} />}
+            {cell ? (
+              <Cell
+                activityId={ofRequest ? undefined : activityId}
+                commit={commit}
+                cell={cell}
+              />
+            ) : (
+              <NoCell commit={commit} />
+            )}
           </Table.Td>
         );
       })}
@@ -140,7 +158,14 @@ function NoCell({ commit }: { commit: GitCommit }) {
   );
 }
 
-function Cell({ commit, cell }: { commit: GitCommit; cell: GitCell }) {
+interface CellProps {
+  /** Absent without a history of cases. */
+  activityId: string | undefined;
+  commit: GitCommit;
+  cell: GitCell;
+}
+
+function Cell({ activityId, commit, cell }: CellProps) {
   return (
     <Stack gap={2}>
       <RouteLink to="/builds/$buildId" params={{ buildId: cell.buildId }} size="sm">
@@ -172,6 +197,17 @@ function Cell({ commit, cell }: { commit: GitCommit; cell: GitCell }) {
         <Badge size="sm" color="red">
           Suspect
         </Badge>
+      )}
+      {activityId && cell.total !== undefined && (
+        <RouteLink
+          to="/activities/$activityId/history/$model"
+          params={{ activityId, model: cell.model }}
+          search={{ build: cell.buildId }}
+          size="xs"
+          aria-label={`History of the cases of ${cell.model} at ${shortCommit(commit.sha)}`}
+        >
+          History of cases
+        </RouteLink>
       )}
     </Stack>
   );
