@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.util.List;
+import java.util.UUID;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.core.timing.RepeatedCalls;
@@ -17,11 +19,15 @@ import org.sitaf.core.verdict.document.TestResultXml;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.FakeAgent;
+import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
 /** The line of a case through the builds of a model. */
 abstract class CaseHistoryStory extends AnalysisStory {
   private static final String LONG = "x".repeat(3000);
+
+  @Autowired private JdbcClient jdbc;
 
   private String built(String options, UnaryOperator<CaseResult> change) {
     String id = request(options);
@@ -137,6 +143,53 @@ abstract class CaseHistoryStory extends AnalysisStory {
   }
 
   @Test
+  void commitsAreReadFromEachDatabase() {
+    String first = built("\"commit\": \"abc123\"", r -> r);
+    String second = built("\"commit\": \"def456\"", r -> r.no() == 7 ? failing(r) : r);
+    String source = UUID.randomUUID().toString();
+    jdbc.sql(
+            "INSERT INTO git_source (id, activity_id, url, branch, folder, credential_kind,"
+                + " credential_user, policy, interval_s, version, created)"
+                + " SELECT ?, id, 'https://git.invalid/a', 'main', '', 'NONE', '', 'EVERY', 3600, 0,"
+                + " created FROM activity WHERE id = ?")
+        .params(source, activityId)
+        .update();
+    try {
+      commit(source, 1, "DONE", first);
+      commit(source, 2, "SKIPPED", null);
+      commit(source, 3, "DONE", second);
+      commit(source, 4, "WAITING", null);
+      JsonNode line = history(Activities.MODEL + "&no=7");
+      assertThat(line.get("by").asString()).isEqualTo("COMMITS");
+      assertThat(line.get("buildId").asString()).isEqualTo(second);
+      assertThat(values(line, "state")).containsExactly("PENDING", "JUDGED", "NOT_BUILT", "JUDGED");
+      assertThat(values(line, "verdictChanged")).containsExactly("-", "true", "-", "-");
+      assertThat(values(history(Activities.MODEL + "&no=7&size=2"), "valueChanged"))
+          .as("against the next page")
+          .containsExactly("-", "true");
+    } finally {
+      jdbc.sql("DELETE FROM git_source WHERE id = ?").param(source).update();
+    }
+  }
+
+  private void commit(String source, int position, String state, @Nullable String build) {
+    String id = UUID.randomUUID().toString();
+    jdbc.sql(
+            "INSERT INTO git_commit (id, source_id, sha, request_no, position, subject, author,"
+                + " authored, received, state) SELECT ?, id, ?, 0, ?, 'Change it', 'Tester',"
+                + " created, created, ? FROM git_source WHERE id = ?")
+        .params(id, "sha" + position, position, state, source)
+        .update();
+    if (build != null) {
+      jdbc.sql(
+              "INSERT INTO git_cell (commit_id, model, position, digest, build_id)"
+                  + " VALUES (?, ?, 0, 'digest', ?)")
+          .params(id, Activities.MODEL, build)
+          .update();
+    }
+  }
+
+  @Test
   void theValidityOfACaseIsThatOfItsSuite() {
     String build = built("\"priority\": 0", r -> r);
     JsonNode cases = api.get("/api/v1/suites/" + suiteId + "/cases?size=100").expect(200).json();
@@ -155,14 +208,14 @@ abstract class CaseHistoryStory extends AnalysisStory {
   void aBuildOfSomeCasesIsNoPointOfAnotherCase() {
     built("\"priority\": 0", r -> r);
     String some = built("\"cases\": \"2-3\"", r -> r);
-    assertThat(values(history(Activities.MODEL + "&no=5&build=" + newest()), "buildId"))
+    assertThat(values(history(Activities.MODEL + "&no=5&build=" + beforeNewest()), "buildId"))
         .doesNotContain(some)
         .hasSize(1);
     assertThat(values(history(Activities.MODEL + "&no=2&build=" + some), "buildId")).hasSize(2);
   }
 
   /** The build before the newest one. */
-  private String newest() {
+  private String beforeNewest() {
     return api.get("/api/v1/builds?size=2&activityId=" + activityId)
         .expect(200)
         .json()
