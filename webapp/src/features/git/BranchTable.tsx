@@ -86,14 +86,7 @@ interface CommitRowProps {
   marked: boolean;
 }
 
-function CommitRow({
-  activityId,
-  ofRequest,
-  commit,
-  models,
-  marked,
-  mayBuild,
-}: CommitRowProps) {
+function CommitRow({ activityId, ofRequest, commit, models, marked, mayBuild }: CommitRowProps) {
   return (
     <Table.Tr aria-current={marked ? 'true' : undefined}>
       <Table.Td>
@@ -128,11 +121,7 @@ function CommitRow({
         return (
           <Table.Td key={model}>
             {cell ? (
-              <Cell
-                activityId={ofRequest ? undefined : activityId}
-                commit={commit}
-                cell={cell}
-              />
+              <Cell activityId={ofRequest ? undefined : activityId} commit={commit} cell={cell} />
             ) : (
               <NoCell commit={commit} />
             )}
