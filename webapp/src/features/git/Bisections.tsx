@@ -86,7 +86,11 @@ function Progress({ search }: { search: GitBisection }) {
         </Text>
       );
     case 'FOUND':
-      return <Badge color="green">First bad commit found</Badge>;
+      return (
+        <Badge color="green" miw="max-content">
+          First bad commit found
+        </Badge>
+      );
     case 'UNCERTAIN':
       return (
         <Text size="sm">
@@ -94,7 +98,11 @@ function Progress({ search }: { search: GitBisection }) {
         </Text>
       );
     case 'FAILED':
-      return <Badge color="red">Ended without a result</Badge>;
+      return (
+        <Badge color="red" miw="max-content">
+          Ended without a result
+        </Badge>
+      );
     case 'CANCELLED':
       return <Badge color="gray">Cancelled</Badge>;
   }

@@ -175,7 +175,7 @@ function Origin({ point }: { point: CasePoint }) {
         <Text size="xs" c="dimmed">{`Taken over from ${shortCommit(point.takenFrom)}`}</Text>
       )}
       {point.replaced && (
-        <Badge size="sm" color="gray">
+        <Badge size="sm" color="gray" miw="max-content">
           Removed by a force-push
         </Badge>
       )}
@@ -196,7 +196,7 @@ function VerdictOf({ point }: { point: CasePoint }) {
     <Stack gap={2} align="start">
       <Text size="sm" fw={point.verdictChanged ? 700 : 400}>{`${sign} ${label}`}</Text>
       {point.verdictChanged && (
-        <Badge size="sm" color="orange" variant="outline">
+        <Badge size="sm" color="orange" variant="outline" miw="max-content">
           Verdict changed
         </Badge>
       )}
@@ -206,7 +206,7 @@ function VerdictOf({ point }: { point: CasePoint }) {
         </Text>
       )}
       {point.suspect && (
-        <Badge size="sm" color="red">
+        <Badge size="sm" color="red" miw="max-content">
           Suspect
         </Badge>
       )}
@@ -226,7 +226,7 @@ function Values({ point, before }: { point: CasePoint; before: string | undefine
       ))}
       {point.valueChanged && (
         <Group gap="xs">
-          <Badge size="sm" color="orange" variant="outline">
+          <Badge size="sm" color="orange" variant="outline" miw="max-content">
             Value changed
           </Badge>
           {before && point.buildId && (

@@ -6,7 +6,7 @@ import java.util.Set;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Repository;
 
-/** What of a commit has to be built: what the database knows need not be made again. */
+/** Results and suites that the database has already, so that they are not made again. */
 @Repository
 class KnownResults {
   private final JdbcClient jdbc;
