@@ -99,12 +99,20 @@ final class BridgePool implements Simulator {
   /** A bridge that no build has used; the caller closes it. */
   BridgeProcess take() throws SimulatorException, InterruptedException {
     while (true) {
-      BridgeProcess bridge = started(nextIdle());
-      // A bridge that died while it was idle is replaced.
-      if (bridge.isAlive()) {
-        return bridge;
+      Started next = next();
+      try {
+        BridgeProcess bridge = started(next.bridge());
+        // A bridge that died while it was idle is replaced.
+        if (bridge.isAlive()) {
+          return bridge;
+        }
+        bridge.close();
+      } catch (SimulatorException e) {
+        // So is one that died while it was started ahead: what ended it may be over.
+        if (!next.ahead()) {
+          throw e;
+        }
       }
-      bridge.close();
     }
   }
 
@@ -112,7 +120,7 @@ final class BridgePool implements Simulator {
   synchronized void startAhead() {
     if (!closed && idle == null && expected > 0) {
       expected -= expected == UNLIMITED ? 0 : 1;
-      idle = submit();
+      idle = submit(true);
     }
   }
 
@@ -133,20 +141,22 @@ final class BridgePool implements Simulator {
     accepted.put(world, compiled);
   }
 
-  private synchronized Future<BridgeProcess> nextIdle() throws SimulatorException {
+  private synchronized Started next() throws SimulatorException {
     if (closed) {
       throw new SimulatorException("the simulator has been closed");
     }
-    Started next = idle == null ? submit() : idle;
+    Started next = idle == null ? submit(false) : idle;
     idle = null;
     next.start().need();
-    return next.bridge();
+    return next;
   }
 
-  private Started submit() {
+  private Started submit(boolean ahead) {
     BridgeStart start = new BridgeStart();
     return new Started(
-        start, starter.submit(() -> BridgeProcess.start(command, directory, sandbox, start)));
+        start,
+        starter.submit(() -> BridgeProcess.start(command, directory, sandbox, start)),
+        ahead);
   }
 
   private static BridgeProcess started(Future<BridgeProcess> future)
@@ -193,6 +203,6 @@ final class BridgePool implements Simulator {
     starter.shutdownNow();
   }
 
-  /** A bridge whose start has begun. */
-  private record Started(BridgeStart start, Future<BridgeProcess> bridge) {}
+  /** A bridge whose start has begun, before a build needed it if {@code ahead}. */
+  private record Started(BridgeStart start, Future<BridgeProcess> bridge, boolean ahead) {}
 }

@@ -14,6 +14,7 @@ import java.net.UnixDomainSocketAddress;
 import java.nio.channels.SocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -100,6 +101,22 @@ class SimulatorTest {
       try (BuildSimulator simulator = simulators.forBuild()) {
         assertThat(simulator.version()).startsWith("sitaf-bridge");
       }
+    }
+  }
+
+  @Test
+  void replacesABridgeThatDiedWhileItWasStartedAhead() throws Exception {
+    Path started = directory.resolve("started");
+    Path script =
+        Files.writeString(
+            directory.resolve("s.sh"),
+            "[ -e '%s' ] && exec \"$@\"; touch '%s'; exit 137\n".formatted(started, started));
+    List<String> command = new ArrayList<>(List.of("sh", script.toString()));
+    command.addAll(RealBridge.command());
+    try (Simulator simulators =
+            Simulator.started(command, directory.resolve("b"), Sandbox.none(), 1);
+        BuildSimulator simulator = simulators.forBuild()) {
+      assertThat(simulator.version()).startsWith("sitaf-bridge");
     }
   }
 
