@@ -1,6 +1,6 @@
-import { screen, within } from '@testing-library/react';
+import { screen, waitFor, within } from '@testing-library/react';
 import userEvent from '@testing-library/user-event';
-import { describe, expect, test } from 'vitest';
+import { describe, expect, onTestFinished, test, vi } from 'vitest';
 import { regionOf } from '@/features/analyses/region';
 import type { BuildAnalysis, Cause, Explanation } from '@/shared/api';
 import { eachWithServer } from './support/eachWithServer';
@@ -69,6 +69,33 @@ function analysis(changes: Partial<BuildAnalysis>): BuildAnalysis {
   };
 }
 
+/** Holds the answers to requests such as `GET http://...` until they are released. */
+function holdAnswers(requests: RegExp) {
+  const send = globalThis.fetch;
+  let release = () => {};
+  const released = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  const answers = {
+    held: 0,
+    release: () => {
+      release();
+    },
+  };
+  vi.spyOn(globalThis, 'fetch').mockImplementation(async (input, init) => {
+    const answer = await send(input, init);
+    if (input instanceof Request && requests.test(`${input.method} ${input.url}`)) {
+      answers.held++;
+      await released;
+    }
+    return answer;
+  });
+  onTestFinished(() => {
+    vi.restoreAllMocks();
+  });
+  return answers;
+}
+
 describe('causes of failures', () => {
   test('are requested, and shown above the cases with one row for each boundary', async () => {
     const cases = [resultCase(1, 'FAIL'), resultCase(2, 'PASS')];
@@ -95,6 +122,28 @@ describe('causes of failures', () => {
     expect(screen.getByText(/^Not explained:/)).toBeVisible();
     await userEvent.click(within(relation).getByRole('button', { name: 'Run again' }));
     expect(server.requests).toContain('POST /api/v1/builds/b1/explanation/causes/3/run');
+  });
+
+  test('are shown if an answer from before the request arrives after it', async () => {
+    const cases = [resultCase(1, 'FAIL')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    server.requestedAnalysis = analysis({ explanation: EXPLANATION });
+    openPortal(server, '/builds/b1');
+    const button = await screen.findByRole('button', { name: 'Explain' });
+    const early = holdAnswers(/^GET .*\/explanation$/);
+    // The portal reads everything again once it is connected again.
+    await server.stop();
+    await screen.findByText(/No connection to the server/);
+    await server.start();
+    await waitFor(() => {
+      expect(early.held).toBe(1);
+    });
+    await userEvent.click(button);
+    await screen.findByRole('group', { name: 'Cause 1' });
+    early.release();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    expect(screen.getByRole('group', { name: 'Cause 1' })).toBeVisible();
   });
 
   test('show how far the explanation is, and can be cancelled', async () => {

@@ -35,23 +35,30 @@ export function useAnalysis(buildId: string, kind: AnalysisKind) {
   });
 }
 
+/** Shows an analysis that was requested; its state is read again until it has ended. */
+function useShowRequested(buildId: string, kind: AnalysisKind) {
+  const cache = useQueryClient();
+  return async (analysis: BuildAnalysis) => {
+    const queryKey = [ANALYSES, buildId, kind];
+    // An answer from before the request would replace the analysis, and end the reading.
+    await cache.cancelQueries({ queryKey });
+    cache.setQueryData(queryKey, analysis);
+  };
+}
+
 /** Requests an explanation or a score. */
 export function useRequestAnalysis(buildId: string, kind: RequestedKind) {
   const api = useApi();
-  const cache = useQueryClient();
   return useMutation({
     mutationFn: () =>
       dataOf(api.POST(`/api/v1/builds/{id}/${kind}`, { params: { path: { id: buildId } } })),
-    onSuccess: (analysis) => {
-      cache.setQueryData([ANALYSES, buildId, kind], analysis);
-    },
+    onSuccess: useShowRequested(buildId, kind),
   });
 }
 
 /** Requests further runs of the cases of a build. */
 export function useRepeatCases(buildId: string) {
   const api = useApi();
-  const cache = useQueryClient();
   return useMutation({
     mutationFn: (runs: number) =>
       dataOf(
@@ -60,9 +67,7 @@ export function useRepeatCases(buildId: string) {
           body: { runs },
         }),
       ),
-    onSuccess: (analysis) => {
-      cache.setQueryData([ANALYSES, buildId, 'repetition'], analysis);
-    },
+    onSuccess: useShowRequested(buildId, 'repetition'),
   });
 }
 
