@@ -56,8 +56,10 @@ def built(page, folder, tmp_path):
 def test_a_failure_is_explained_and_its_simplest_case_runs_again_here_and_elsewhere(page, sitaf, tmp_path):
     built(page, copied("ir-sensor-faulty", "explained-sensor", tmp_path), tmp_path)
     page.get_by_role("button", name="Explain", exact=True).click()
+    causes = page.get_by_role("region", name="Causes", exact=True)
+    # An analysis is some ten builds. Whether it goes on, waits or has failed is said if it takes longer.
+    expect(causes).to_contain_text("further cases were executed", timeout=300_000)
     cause = page.get_by_role("group", name="Cause 1")
-    cause.wait_for()
     expect(cause).to_contain_text("Fails where IndexOfSensor == NumOfSensor, whatever the rest")
     expect(cause).to_contain_text("FAIL in 5 cases: 1, 7, 13, 19, 25")
     # A relation is drawn over its two inputs.
@@ -75,7 +77,10 @@ def test_a_failure_is_explained_and_its_simplest_case_runs_again_here_and_elsewh
     replay = sitaf("replay", bundle)
     assert replay.returncode == 0, replay.stdout + replay.stderr
 
+    explained = page.url
     cause.get_by_role("button", name="Run again").click()
+    page.wait_for_url(lambda url: url != explained)
+    page.get_by_role("heading", name="Result", exact=True).wait_for()
     page.get_by_text("Cases failed").wait_for()
     # The title and one case, which is not one of the suite.
     row = page.get_by_role("table", name="Cases").get_by_role("row").last
