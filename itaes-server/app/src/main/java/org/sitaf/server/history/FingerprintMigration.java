@@ -3,19 +3,15 @@ package org.sitaf.server.history;
 import java.util.ArrayList;
 import java.util.List;
 import javax.sql.DataSource;
-import org.flywaydb.core.api.MigrationVersion;
-import org.flywaydb.core.api.migration.Context;
-import org.flywaydb.core.api.migration.JavaMigration;
-import org.jspecify.annotations.Nullable;
 import org.sitaf.core.compare.result.CaseIdentity;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.result.Results;
+import org.sitaf.server.storage.DocumentMigration;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.jdbc.core.JdbcTemplate;
 import org.springframework.jdbc.core.simple.JdbcClient;
-import org.springframework.jdbc.datasource.SingleConnectionDataSource;
 import org.springframework.stereotype.Component;
 
 /**
@@ -23,32 +19,15 @@ import org.springframework.stereotype.Component;
  * large cases are shortened.
  */
 @Component
-class FingerprintMigration implements JavaMigration {
+class FingerprintMigration extends DocumentMigration {
   private static final Logger log = LoggerFactory.getLogger(FingerprintMigration.class);
 
-  @Override
-  public MigrationVersion getVersion() {
-    return MigrationVersion.fromVersion("191");
+  FingerprintMigration() {
+    super("191", "fingerprints of cases");
   }
 
   @Override
-  public String getDescription() {
-    return "fingerprints of cases";
-  }
-
-  @Override
-  public @Nullable Integer getChecksum() {
-    return null;
-  }
-
-  @Override
-  public boolean canExecuteInTransaction() {
-    return true;
-  }
-
-  @Override
-  public void migrate(Context context) {
-    DataSource database = new SingleConnectionDataSource(context.getConnection(), true);
+  protected void migrate(DataSource database) {
     JdbcClient jdbc = JdbcClient.create(database);
     JdbcTemplate batches = new JdbcTemplate(database);
     for (String build : jdbc.sql("SELECT build_id FROM result").query(String.class).list()) {

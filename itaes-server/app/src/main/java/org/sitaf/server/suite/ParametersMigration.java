@@ -3,42 +3,21 @@ package org.sitaf.server.suite;
 import java.io.ByteArrayInputStream;
 import java.util.List;
 import javax.sql.DataSource;
-import org.flywaydb.core.api.MigrationVersion;
-import org.flywaydb.core.api.migration.Context;
-import org.flywaydb.core.api.migration.JavaMigration;
-import org.jspecify.annotations.Nullable;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.document.TestSuiteXml;
+import org.sitaf.server.storage.DocumentMigration;
 import org.springframework.jdbc.core.simple.JdbcClient;
-import org.springframework.jdbc.datasource.SingleConnectionDataSource;
 import org.springframework.stereotype.Component;
 
 /** V91: fills the parameters of existing suites from their documents. */
 @Component
-class ParametersMigration implements JavaMigration {
-  @Override
-  public MigrationVersion getVersion() {
-    return MigrationVersion.fromVersion("91");
+class ParametersMigration extends DocumentMigration {
+  ParametersMigration() {
+    super("91", "parameters of suites");
   }
 
   @Override
-  public String getDescription() {
-    return "parameters of suites";
-  }
-
-  @Override
-  public @Nullable Integer getChecksum() {
-    return null;
-  }
-
-  @Override
-  public boolean canExecuteInTransaction() {
-    return true;
-  }
-
-  @Override
-  public void migrate(Context context) {
-    DataSource database = new SingleConnectionDataSource(context.getConnection(), true);
+  protected void migrate(DataSource database) {
     JdbcClient jdbc = JdbcClient.create(database);
     for (String id : jdbc.sql("SELECT id FROM suite").query(String.class).list()) {
       byte[] document =

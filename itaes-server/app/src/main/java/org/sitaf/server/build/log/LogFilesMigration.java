@@ -7,21 +7,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import org.flywaydb.core.api.MigrationVersion;
-import org.flywaydb.core.api.migration.Context;
-import org.flywaydb.core.api.migration.JavaMigration;
-import org.jspecify.annotations.Nullable;
+import javax.sql.DataSource;
 import org.sitaf.server.settings.SitafSettings;
+import org.sitaf.server.storage.DocumentMigration;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
-import org.springframework.jdbc.datasource.SingleConnectionDataSource;
 import org.springframework.stereotype.Component;
 
 /** V93: imports the log files of earlier releases. The files are not deleted. */
 @Component
-class LogFilesMigration implements JavaMigration {
+class LogFilesMigration extends DocumentMigration {
   private static final Logger log = LoggerFactory.getLogger(LogFilesMigration.class);
 
   private final Path folder;
@@ -32,35 +29,15 @@ class LogFilesMigration implements JavaMigration {
   }
 
   LogFilesMigration(Path folder) {
+    super("93", "logs of builds in files");
     this.folder = folder;
   }
 
   private record Length(String buildId, long bytes) {}
 
   @Override
-  public MigrationVersion getVersion() {
-    return MigrationVersion.fromVersion("93");
-  }
-
-  @Override
-  public String getDescription() {
-    return "logs of builds in files";
-  }
-
-  @Override
-  public @Nullable Integer getChecksum() {
-    return null;
-  }
-
-  @Override
-  public boolean canExecuteInTransaction() {
-    return true;
-  }
-
-  @Override
-  public void migrate(Context context) {
-    JdbcClient jdbc =
-        JdbcClient.create(new SingleConnectionDataSource(context.getConnection(), true));
+  protected void migrate(DataSource database) {
+    JdbcClient jdbc = JdbcClient.create(database);
     List<Length> lengths =
         jdbc.sql("SELECT id, log_length FROM build WHERE log_length > 0")
             .query((row, index) -> new Length(row.getString(1), row.getLong(2)))
