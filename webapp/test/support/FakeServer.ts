@@ -367,19 +367,21 @@ export class FakeServer {
       this.checks.push(body);
       return { status: 200, json: { diagnostics: this.problems } };
     },
-    'GET builds * explanation': ({ path }) => found(this.analyses.get(`${path[1]} explanation`)),
+    'GET builds * explanation': ({ path }) =>
+      foundOrNone(this.analyses.get(`${path[1]} explanation`)),
     'POST builds * explanation': ({ path }) => {
       if (!this.requestedAnalysis) return conflict();
       this.analyses.set(`${path[1]} explanation`, this.requestedAnalysis);
       return { status: 201, json: this.requestedAnalysis };
     },
-    'GET builds * score': ({ path }) => found(this.analyses.get(`${path[1]} score`)),
+    'GET builds * score': ({ path }) => foundOrNone(this.analyses.get(`${path[1]} score`)),
     'POST builds * score': ({ path }) => {
       if (!this.requestedAnalysis) return conflict();
       this.analyses.set(`${path[1]} score`, this.requestedAnalysis);
       return { status: 201, json: this.requestedAnalysis };
     },
-    'GET builds * repetition': ({ path }) => found(this.analyses.get(`${path[1]} repetition`)),
+    'GET builds * repetition': ({ path }) =>
+      foundOrNone(this.analyses.get(`${path[1]} repetition`)),
     'POST builds * repetition': ({ path, body }) => {
       if (!this.requestedAnalysis) return conflict();
       this.analysisRequests.push(JSON.parse(body.toString()));
@@ -520,10 +522,8 @@ export class FakeServer {
       if (query.get('order') === 'NEWEST') items.reverse();
       return { status: 200, json: pageOf(items, query) };
     },
-    'GET builds * cases * signals': ({ path }) => {
-      const signals = this.signals.get(`${path[1] ?? ''} ${path[3] ?? ''}`);
-      return signals ? { status: 200, json: signals } : { status: 204 };
-    },
+    'GET builds * cases * signals': ({ path }) =>
+      foundOrNone(this.signals.get(`${path[1] ?? ''} ${path[3] ?? ''}`)),
     'GET builds * recordings *': ({ path }) => {
       const bytes = this.recordings.get(`${path[1] ?? ''} ${path[3] ?? ''}`);
       return bytes ? { status: 200, bytes } : notFound();
@@ -581,6 +581,10 @@ export class FakeServer {
 
 function found(item: unknown): Answer {
   return item ? { status: 200, json: item } : notFound();
+}
+
+function foundOrNone(item: unknown): Answer {
+  return item ? { status: 200, json: item } : { status: 204 };
 }
 
 function conflict(): Answer {

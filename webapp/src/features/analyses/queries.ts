@@ -1,5 +1,5 @@
 import { useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
-import { ApiError, dataOf, useApi, type BuildAnalysis } from '@/shared/api';
+import { dataOf, useApi, type BuildAnalysis } from '@/shared/api';
 
 const ANALYSES = 'analyses';
 const REFRESH_MS = 1_000;
@@ -21,16 +21,11 @@ export function useAnalysis(buildId: string, kind: AnalysisKind) {
   const api = useApi();
   return useQuery({
     queryKey: [ANALYSES, buildId, kind],
-    queryFn: async ({ signal }) => {
-      try {
-        return await dataOf(
-          api.GET(`/api/v1/builds/{id}/${kind}`, { params: { path: { id: buildId } }, signal }),
-        );
-      } catch (cause) {
-        if (cause instanceof ApiError && cause.status === 404) return null;
-        throw cause;
-      }
-    },
+    queryFn: async ({ signal }) =>
+      // Without a body, none was requested.
+      (await dataOf(
+        api.GET(`/api/v1/builds/{id}/${kind}`, { params: { path: { id: buildId } }, signal }),
+      )) ?? null,
     refetchInterval: ({ state }) => (state.data && !isEnded(state.data) ? REFRESH_MS : false),
   });
 }

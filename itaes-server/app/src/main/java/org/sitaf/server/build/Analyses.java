@@ -89,25 +89,22 @@ public class Analyses {
   }
 
   /**
-   * The latest analysis of a kind.
+   * The latest analysis of a kind; empty if none was requested.
    *
-   * @throws RequestException if there is none
+   * @throws RequestException if there is no such build
    */
-  public <T> T latest(String buildId, BuildKind kind, View<T> view) {
+  public <T> Optional<T> latest(String buildId, BuildKind kind, View<T> view) {
     return Optional.ofNullable(
-            transaction.execute(
-                status -> {
-                  if (builds.findById(buildId).isEmpty()) {
-                    throw RequestException.notFound("build", buildId);
-                  }
-                  Build analysis =
-                      queue
-                          .latest(buildId, kind)
-                          .orElseThrow(
-                              () -> RequestException.notFound(kind.words() + " of build", buildId));
-                  return view.of(analysis, reports.find(analysis.id()).orElse(null));
-                }))
-        .orElseThrow();
+        transaction.execute(
+            status -> {
+              if (builds.findById(buildId).isEmpty()) {
+                throw RequestException.notFound("build", buildId);
+              }
+              return queue
+                  .latest(buildId, kind)
+                  .map(analysis -> view.of(analysis, reports.find(analysis.id()).orElse(null)))
+                  .orElse(null);
+            }));
   }
 
   /** The test application of a build. */

@@ -67,7 +67,7 @@ abstract class AnalysisStory extends SignalStory {
     List<String> expected;
     try (FakeAgent agent = FakeAgent.register(grpcPort(), "explains", "java")) {
       byte[] document = finished(agent, id, List.of(7));
-      api.get(BUILDS + id + "/explanation").expect(404);
+      api.get(BUILDS + id + "/explanation").expect(204);
 
       String analysis = api.post(BUILDS + id + "/explanation", "").expect(201).id();
       Assignment assignment = agent.nextAssignment();
@@ -149,7 +149,7 @@ abstract class AnalysisStory extends SignalStory {
     String passing = api.post("/api/v1/builds", body).expect(201).id();
     try (FakeAgent agent = FakeAgent.register(grpcPort(), "explains-failures", "java")) {
       finished(agent, passing, List.of());
-      api.get(BUILDS + passing + "/explanation").expect(404);
+      api.get(BUILDS + passing + "/explanation").expect(204);
       assertThat(api.post(BUILDS + passing + "/explanation", "").expect(409).text())
           .contains("No case of build " + passing + " failed.");
 
@@ -189,7 +189,7 @@ abstract class AnalysisStory extends SignalStory {
     String id = api.build(suiteId);
     try (FakeAgent agent = FakeAgent.register(grpcPort(), "repeats", "java")) {
       byte[] document = finished(agent, id, List.of(3));
-      api.get(BUILDS + id + "/repetition").expect(404);
+      api.get(BUILDS + id + "/repetition").expect(204);
       assertThat(api.post(BUILDS + id + "/repetition", "{\"runs\": 101}").expect(400).text())
           .contains("runs: must be 1 to 100, but is 101.");
       api.post(BUILDS + id + "/repetition", "{\"runs\": 3}").expect(201);

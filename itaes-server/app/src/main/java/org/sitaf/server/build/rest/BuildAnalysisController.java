@@ -11,6 +11,7 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.explain.report.Bundle;
@@ -44,6 +45,7 @@ import tools.jackson.databind.json.JsonMapper;
 @Tag(name = "analyses")
 class BuildAnalysisController {
   private static final int DEFAULT_RUNS = 10;
+  private static final String NONE = "none was requested";
 
   private final Analyses analyses;
   private final WaitingReason waiting;
@@ -78,12 +80,11 @@ class BuildAnalysisController {
   }
 
   @GetMapping("/explanation")
-  @Operation(
-      operationId = "getExplanation",
-      summary = "Returns the latest explanation of a build",
-      description = "Fails with 404 if none was requested.")
-  AnalysisView explanation(@PathVariable String id) {
-    return latest(id, BuildKind.EXPLANATION);
+  @Operation(operationId = "getExplanation", summary = "Returns the latest explanation of a build")
+  @ApiResponse(responseCode = "200")
+  @ApiResponse(responseCode = "204", description = NONE, content = @Content)
+  ResponseEntity<AnalysisView> explanation(@PathVariable String id) {
+    return found(id, BuildKind.EXPLANATION);
   }
 
   @PostMapping("/score")
@@ -99,12 +100,11 @@ class BuildAnalysisController {
   }
 
   @GetMapping("/score")
-  @Operation(
-      operationId = "getScore",
-      summary = "Returns the latest score of a build",
-      description = "Fails with 404 if none was requested.")
-  AnalysisView score(@PathVariable String id) {
-    return latest(id, BuildKind.SCORE);
+  @Operation(operationId = "getScore", summary = "Returns the latest score of a build")
+  @ApiResponse(responseCode = "200")
+  @ApiResponse(responseCode = "204", description = NONE, content = @Content)
+  ResponseEntity<AnalysisView> score(@PathVariable String id) {
+    return found(id, BuildKind.SCORE);
   }
 
   @PostMapping("/repetition")
@@ -119,16 +119,15 @@ class BuildAnalysisController {
   AnalysisView requestRepetition(
       @PathVariable String id, @RequestBody(required = false) @Nullable RepetitionRequest request) {
     analyses.repeat(id, request == null || request.runs() == null ? DEFAULT_RUNS : request.runs());
-    return latest(id, BuildKind.REPETITION);
+    return requested(id, BuildKind.REPETITION);
   }
 
   @GetMapping("/repetition")
-  @Operation(
-      operationId = "getRepetition",
-      summary = "Returns the latest repetition of a build",
-      description = "Fails with 404 if none was requested.")
-  AnalysisView repetition(@PathVariable String id) {
-    return latest(id, BuildKind.REPETITION);
+  @Operation(operationId = "getRepetition", summary = "Returns the latest repetition of a build")
+  @ApiResponse(responseCode = "200")
+  @ApiResponse(responseCode = "204", description = NONE, content = @Content)
+  ResponseEntity<AnalysisView> repetition(@PathVariable String id) {
+    return found(id, BuildKind.REPETITION);
   }
 
   @PostMapping("/explanation/causes/{no}/run")
@@ -197,7 +196,8 @@ class BuildAnalysisController {
   }
 
   private ExplanationView.CauseView cause(String id, int no) {
-    ExplanationView explanation = explanation(id).explanation();
+    ExplanationView explanation =
+        latest(id, BuildKind.EXPLANATION).map(AnalysisView::explanation).orElse(null);
     if (explanation == null || no < 1 || no > explanation.causes().size()) {
       throw RequestException.notFound(
           "cause in the explanation of build " + id, Integer.toString(no));
@@ -207,10 +207,20 @@ class BuildAnalysisController {
 
   private AnalysisView request(String id, BuildKind kind) {
     analyses.request(id, kind);
-    return latest(id, kind);
+    return requested(id, kind);
   }
 
-  private AnalysisView latest(String id, BuildKind kind) {
+  private AnalysisView requested(String id, BuildKind kind) {
+    return latest(id, kind).orElseThrow();
+  }
+
+  private ResponseEntity<AnalysisView> found(String id, BuildKind kind) {
+    return latest(id, kind)
+        .map(ResponseEntity::ok)
+        .orElseGet(() -> ResponseEntity.noContent().build());
+  }
+
+  private Optional<AnalysisView> latest(String id, BuildKind kind) {
     return analyses.latest(id, kind, this::view);
   }
 
