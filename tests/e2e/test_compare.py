@@ -125,6 +125,11 @@ def test_an_unstable_component_has_no_differences(compare, tmp_path, imports, bo
     assert "unstable: runs of the same version disagree" in output
 
 
+def test_unstable_components_in_three_languages_have_no_differences(sitaf):
+    run = sitaf("bench", "unstable", "--runs", "5")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
 def test_a_state_between_cases_does_not_hide_a_difference(compare, tmp_path):
     imports = "calls = []"
     base = write(tmp_path / "base", "calls.append(1)\nreturn len(calls) * 10.0", imports)

@@ -138,7 +138,7 @@ class Repository:
         self.git("init", "-q", "-b", "main")
         languages = list(EXAMPLES)
         self.activities = [
-            Activity(home, root, f"sensor-{i}", languages[i % len(languages)]) for i in range(1, count + 1)
+            Activity(home, root, f"sensor-{i + 1}", languages[i % len(languages)]) for i in range(count)
         ]
         self.write("README.md", "Robots")
         self.write("notes/0.txt", "Moved by commits")
