@@ -29,6 +29,7 @@ PLANTED = {
     "random without seed": ("java", "monte-carlo"),
 }
 MOST_DIFFERENCES = 1
+SHOWN_EVERY = 100
 
 
 @dataclasses.dataclass
@@ -57,6 +58,12 @@ def compare(folder, counts, no):
         print(f"{folder.name}: {json.dumps(found['differences'])}", flush=True)
 
 
+def show(counts):
+    print(f"{'depends on':22} {'runs':>6} {'unstable':>9} {'differences':>12} {'cases that disagree':>20}")
+    for what, each in counts.items():
+        print(f"{what:22} {each.runs:6} {each.named:9} {each.differences:12} {each.cases:20}", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=1000, help="of all components together")
@@ -66,18 +73,15 @@ def main():
     counts = {what: Counts() for what in PLANTED}
     began = time.monotonic()
     with tempfile.TemporaryDirectory() as root, ThreadPoolExecutor(arguments.jobs) as pool:
-        folders = {
-            what: activities.write(components[key], Path(root) / key[1]) for what, key in PLANTED.items()
-        }
+        folders = {what: activities.write(components[key], Path(root) / key[1]) for what, key in PLANTED.items()}
         jobs = []
         for no in range(arguments.runs):
             what = list(PLANTED)[no % len(PLANTED)]
             jobs.append(pool.submit(compare, folders[what], counts[what], no))
-        for job in jobs:
+        for done, job in enumerate(jobs, 1):
             job.result()
-    print(f"{'depends on':22} {'runs':>6} {'unstable':>9} {'differences':>12} {'cases that disagree':>20}")
-    for what, each in counts.items():
-        print(f"{what:22} {each.runs:6} {each.named:9} {each.differences:12} {each.cases:20}")
+            if done % SHOWN_EVERY == 0 or done == len(jobs):
+                show(counts)
     differences = sum(each.differences for each in counts.values())
     disagreeing = sum(each.cases for each in counts.values())
     unnamed = [what for what, each in counts.items() if not each.named]
