@@ -7,6 +7,7 @@ runs would report: each case in which BASE and NEW disagree.
 
 import argparse
 import dataclasses
+import itertools
 import json
 import os
 import subprocess
@@ -41,8 +42,16 @@ class Counts:
     named: int = 0  # runs in which the component is unstable
     cases: int = 0  # of all runs, in which versions or runs of a version disagree
 
+    def add(self, found):
+        """Count what one comparison found."""
+        self.runs += 1
+        self.differences += len(found["differences"])
+        self.named += bool(found["unstable"])
+        self.cases += len(found["unstable"]) + len(found["differences"])
 
-def compare(folder, counts, no):
+
+def compare(folder, no):
+    """What `./sitaf compare` finds between an activity and itself."""
     output = folder.parent / f"{folder.name}-{no}.json"
     command = [SITAF, "compare", folder, folder, "--json", output]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -50,12 +59,7 @@ def compare(folder, counts, no):
         raise RuntimeError(f"{' '.join(map(str, command))}:\n{run.stdout}{run.stderr}")
     found = json.loads(output.read_text())
     output.unlink()
-    counts.runs += 1
-    counts.differences += len(found["differences"])
-    counts.named += bool(found["unstable"])
-    counts.cases += len(found["unstable"]) + len(found["differences"])
-    if found["differences"]:
-        print(f"{folder.name}: {json.dumps(found['differences'])}", flush=True)
+    return found
 
 
 def show(counts):
@@ -74,13 +78,13 @@ def main():
     began = time.monotonic()
     with tempfile.TemporaryDirectory() as root, ThreadPoolExecutor(arguments.jobs) as pool:
         folders = {what: activities.write(components[key], Path(root) / key[1]) for what, key in PLANTED.items()}
-        jobs = []
-        for no in range(arguments.runs):
-            what = list(PLANTED)[no % len(PLANTED)]
-            jobs.append(pool.submit(compare, folders[what], counts[what], no))
-        for done, job in enumerate(jobs, 1):
-            job.result()
-            if done % SHOWN_EVERY == 0 or done == len(jobs):
+        turns = list(itertools.islice(itertools.cycle(PLANTED), arguments.runs))
+        comparisons = pool.map(compare, (folders[what] for what in turns), itertools.count())
+        for done, (what, found) in enumerate(zip(turns, comparisons), 1):
+            counts[what].add(found)
+            if found["differences"]:
+                print(f"{what}: {json.dumps(found['differences'])}", flush=True)
+            if done % SHOWN_EVERY == 0 or done == len(turns):
                 show(counts)
     differences = sum(each.differences for each in counts.values())
     disagreeing = sum(each.cases for each in counts.values())

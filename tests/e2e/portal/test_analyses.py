@@ -57,7 +57,7 @@ def test_a_failure_is_explained_and_its_simplest_case_runs_again_here_and_elsewh
     built(page, copied("ir-sensor-faulty", "explained-sensor", tmp_path), tmp_path)
     page.get_by_role("button", name="Explain", exact=True).click()
     causes = page.get_by_role("region", name="Causes", exact=True)
-    # An analysis is some ten builds. Whether it goes on, waits or has failed is said if it takes longer.
+    # An analysis is about ten builds. If it takes longer, the failure shows its state.
     expect(causes).to_contain_text("further cases were executed", timeout=300_000)
     cause = page.get_by_role("group", name="Cause 1")
     expect(cause).to_contain_text("Fails where IndexOfSensor == NumOfSensor, whatever the rest")

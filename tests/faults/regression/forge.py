@@ -42,13 +42,14 @@ class Store:
 
     def __init__(self, file):
         self.file, self.lock = file, threading.Lock()
+        file.touch()
+        # A kill can leave a part of the last line; its request was not answered.
+        text = file.read_bytes()
+        os.truncate(file, text.rfind(b"\n") + 1)
 
     def read(self):
-        if not self.file.exists():
-            return []
-        # A kill can leave a part of the last line; its request was not answered.
-        lines = self.file.read_text().split("\n")[:-1]
-        return [json.loads(line) for line in lines]
+        with self.lock:
+            return [json.loads(line) for line in self.file.read_text().splitlines()]
 
     def add(self, entry):
         with self.lock, self.file.open("a") as out:
