@@ -9,6 +9,8 @@ import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.server.storage.DiskSpace;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -30,22 +32,31 @@ class Deliveries {
   private static final Duration CLAIM = Duration.ofMinutes(1);
 
   private static final String COLUMNS =
-      "SELECT id, webhook_id, build_id, state, tries, due, created, last_answer"
-          + " FROM webhook_delivery ";
+      "SELECT d.id, d.webhook_id, d.event, d.build_id, c.sha, d.state, d.tries, d.due, d.created,"
+          + " d.last_answer FROM webhook_delivery d LEFT JOIN git_commit c ON c.id = d.commit_id ";
+
+  /** The end of a commit is reported after its start. */
+  private static final String IN_ORDER =
+      " AND (d.event <> 'commit.finished' OR NOT EXISTS (SELECT 1 FROM webhook_delivery s"
+          + " WHERE s.webhook_id = d.webhook_id AND s.commit_id = d.commit_id"
+          + " AND s.event = 'commit.started' AND s.state = 'WAITING'))";
 
   private final JdbcClient jdbc;
   private final Sender sender;
+  private final CommitMessages commits;
   private final DiskSpace disk;
   private final Clock clock;
 
-  Deliveries(JdbcClient jdbc, Sender sender, DiskSpace disk, Clock clock) {
+  Deliveries(JdbcClient jdbc, Sender sender, CommitMessages commits, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
     this.sender = sender;
+    this.commits = commits;
     this.disk = disk;
     this.clock = clock;
   }
 
-  private record Message(String url, String secret, String payload) {}
+  private record Message(
+      String url, String secret, @Nullable String payload, @Nullable String commitId) {}
 
   @Scheduled(fixedDelayString = "${sitaf.webhooks.interval:2s}")
   void sendDue() {
@@ -53,7 +64,11 @@ class Deliveries {
       return;
     }
     List<Delivery> due =
-        jdbc.sql(COLUMNS + "WHERE state = 'WAITING' AND due <= ? ORDER BY due LIMIT ?")
+        jdbc.sql(
+                COLUMNS
+                    + "WHERE d.state = 'WAITING' AND d.due <= ?"
+                    + IN_ORDER
+                    + " ORDER BY d.due LIMIT ?")
             .params(utc(clock.instant()), BATCH_SIZE)
             .query(Deliveries::delivery)
             .list();
@@ -61,7 +76,8 @@ class Deliveries {
   }
 
   List<Delivery> list(String webhookId, PageRequest page) {
-    return jdbc.sql(COLUMNS + "WHERE webhook_id = ? ORDER BY created DESC, id LIMIT ? OFFSET ?")
+    return jdbc.sql(
+            COLUMNS + "WHERE d.webhook_id = ? ORDER BY d.created DESC, d.id LIMIT ? OFFSET ?")
         .params(webhookId, page.getPageSize(), page.getOffset())
         .query(Deliveries::delivery)
         .list();
@@ -87,10 +103,13 @@ class Deliveries {
   private void send(Delivery delivery) {
     Message message =
         jdbc.sql(
-                "SELECT w.url, w.secret, d.payload FROM webhook_delivery d"
+                "SELECT w.url, w.secret, d.payload, d.commit_id FROM webhook_delivery d"
                     + " JOIN webhook w ON w.id = d.webhook_id WHERE d.id = ?")
             .param(delivery.id())
-            .query((row, i) -> new Message(row.getString(1), row.getString(2), row.getString(3)))
+            .query(
+                (row, i) ->
+                    new Message(
+                        row.getString(1), row.getString(2), row.getString(3), row.getString(4)))
             .optional()
             .orElse(null);
     if (message == null) {
@@ -100,7 +119,8 @@ class Deliveries {
     String response;
     boolean confirmed = false;
     try {
-      int status = sender.send(message.url(), message.secret(), delivery.id(), message.payload());
+      String payload = message.payload() != null ? message.payload() : compose(delivery, message);
+      int status = sender.send(message.url(), message.secret(), delivery.id(), payload);
       confirmed = status / 100 == 2;
       response = "HTTP " + status;
     } catch (IOException | RuntimeException e) {
@@ -113,9 +133,10 @@ class Deliveries {
             : tries < MAX_TRIES ? Delivery.State.WAITING : Delivery.State.GIVEN_UP;
     if (state == Delivery.State.GIVEN_UP) {
       log.warn(
-          "Delivery of webhook {} for build {} failed; giving up after {} tries",
+          "Delivery of webhook {} for {} {} failed; giving up after {} tries",
           delivery.webhookId(),
-          delivery.buildId(),
+          delivery.buildIdOrNull() == null ? "commit" : "build",
+          delivery.buildIdOrNull() == null ? delivery.commitOrNull() : delivery.buildIdOrNull(),
           tries);
     }
     jdbc.sql("UPDATE webhook_delivery SET state = ?, due = ?, last_answer = ? WHERE id = ?")
@@ -127,6 +148,15 @@ class Deliveries {
         .update();
   }
 
+  /** The message is kept, so that each attempt sends the same one. */
+  private String compose(Delivery delivery, Message message) {
+    String payload = commits.finished(Objects.requireNonNull(message.commitId()));
+    jdbc.sql("UPDATE webhook_delivery SET payload = ? WHERE id = ?")
+        .params(payload, delivery.id())
+        .update();
+    return payload;
+  }
+
   private static OffsetDateTime utc(Instant instant) {
     return instant.atOffset(ZoneOffset.UTC);
   }
@@ -135,11 +165,13 @@ class Deliveries {
     return new Delivery(
         row.getString(1),
         row.getString(2),
-        row.getString(3),
-        Delivery.State.valueOf(row.getString(4)),
-        row.getInt(5),
-        row.getObject(6, OffsetDateTime.class).toInstant(),
-        row.getObject(7, OffsetDateTime.class).toInstant(),
-        row.getString(8));
+        WebhookEvent.of(row.getString(3)),
+        row.getString(4),
+        row.getString(5),
+        Delivery.State.valueOf(row.getString(6)),
+        row.getInt(7),
+        row.getObject(8, OffsetDateTime.class).toInstant(),
+        row.getObject(9, OffsetDateTime.class).toInstant(),
+        row.getString(10));
   }
 }

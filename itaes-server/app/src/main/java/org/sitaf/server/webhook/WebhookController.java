@@ -5,6 +5,8 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.time.Instant;
+import java.util.EnumSet;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Caller;
 import org.sitaf.server.error.RequestException;
@@ -40,17 +42,25 @@ class WebhookController {
   @Schema(name = "WebhookRequest")
   record WebhookRequest(
       @Schema(description = "its host must be in sitaf.webhooks.allowed-hosts") String url,
-      @Schema(description = "only builds of activities of this name; absent for all")
-          @Nullable String activity) {}
+      @Schema(description = "only builds and commits of activities of this name; absent for all")
+          @Nullable String activity,
+      @Schema(description = "what is reported; absent for all events")
+          @Nullable Set<WebhookEvent> events) {}
 
   @Schema(name = "Webhook")
   record WebhookView(
-      String id, URI url, @Nullable String activity, Instant created, String createdBy) {
+      String id,
+      URI url,
+      @Nullable String activity,
+      Set<WebhookEvent> events,
+      Instant created,
+      String createdBy) {
     static WebhookView of(Webhook webhook) {
       return new WebhookView(
           webhook.id(),
           webhook.url(),
           webhook.activity().orElse(null),
+          webhook.events(),
           webhook.created(),
           webhook.createdBy());
     }
@@ -68,7 +78,10 @@ class WebhookController {
   @Schema(name = "WebhookDelivery")
   record DeliveryView(
       String id,
-      String buildId,
+      WebhookEvent event,
+      @Schema(description = "absent if a commit is reported") @Nullable String buildId,
+      @Schema(description = "id of the commit in Git; absent if a build is reported")
+          @Nullable String commit,
       Delivery.State state,
       int tries,
       @Schema(description = "time of the next try; absent if there is none") @Nullable Instant due,
@@ -77,7 +90,9 @@ class WebhookController {
     static DeliveryView of(Delivery delivery) {
       return new DeliveryView(
           delivery.id(),
-          delivery.buildId(),
+          delivery.event(),
+          delivery.buildIdOrNull(),
+          delivery.commitOrNull(),
           delivery.state(),
           delivery.tries(),
           delivery.state() == Delivery.State.WAITING ? delivery.due() : null,
@@ -101,11 +116,14 @@ class WebhookController {
   @PostMapping
   @Operation(
       operationId = "createWebhook",
-      summary = "Creates a webhook, which is called when a build ends",
+      summary = "Creates a webhook, which is called when a build or a commit ends",
       description =
-          "The server sends a POST request with JSON: event (build.finished), build, activity,"
-              + " model, state, finished, counts. A message is sent at least once; its header"
-              + " Sitaf-Delivery is the same each time.")
+          "The server sends a POST request with JSON. build.finished: event, build, activity,"
+              + " model, state, finished, counts, passed. commit.started and commit.finished:"
+              + " event, activity, activityId, commit, subject, author, branch, request, result"
+              + " (pending, success, failure or error), description, url; commit.finished has"
+              + " models and comment as well: Markdown with the groups of differences. A message"
+              + " is sent at least once; its header Sitaf-Delivery is the same each time.")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<WebhookWithSecret> create(@RequestBody WebhookRequest request) {
     if (request.url() == null) {
@@ -114,8 +132,13 @@ class WebhookController {
     if (request.activity() != null && request.activity().length() > MAX_NAME) {
       throw RequestException.malformed("activity: must be at most " + MAX_NAME + " characters.");
     }
+    Set<WebhookEvent> events =
+        request.events() == null ? EnumSet.allOf(WebhookEvent.class) : request.events();
+    if (events.isEmpty()) {
+      throw RequestException.malformed("events: must name at least one event, or be absent.");
+    }
     Webhooks.WithSecret created =
-        webhooks.create(request.url(), request.activity(), Caller.currentName());
+        webhooks.create(request.url(), request.activity(), events, Caller.currentName());
     return ResponseEntity.created(URI.create("/api/v1/webhooks/" + created.webhook().id()))
         .body(new WebhookWithSecret(WebhookView.of(created.webhook()), created.secret()));
   }

@@ -3,82 +3,46 @@ package org.sitaf.server.webhook;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import com.sun.net.httpserver.HttpServer;
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.FakeAgent;
 import org.sitaf.server.support.ServerTest;
+import org.sitaf.server.support.WebhookReceiver;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** Webhooks are called when a build ends, with a signature and with retries. */
 @Tag("slow")
 class WebhookStoryTest extends ServerTest {
-  private final Queue<Received> received = new ConcurrentLinkedQueue<>();
-  private final Queue<Integer> answers = new ConcurrentLinkedQueue<>();
-  private HttpServer receiver;
-
-  private record Received(String path, String delivery, String signature, String body) {}
-
-  @BeforeEach
-  void listen() throws IOException {
-    receiver = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
-    receiver.createContext(
-        "/",
-        exchange -> {
-          String body =
-              new String(exchange.getRequestBody().readAllBytes(), StandardCharsets.UTF_8);
-          received.add(
-              new Received(
-                  exchange.getRequestURI().getPath(),
-                  exchange.getRequestHeaders().getFirst("Sitaf-Delivery"),
-                  exchange.getRequestHeaders().getFirst("Sitaf-Signature"),
-                  body));
-          Integer status = answers.poll();
-          exchange.getResponseHeaders().set("Location", "/elsewhere");
-          exchange.sendResponseHeaders(status == null ? 204 : status, -1);
-          exchange.close();
-        });
-    receiver.start();
-  }
+  private final WebhookReceiver receiver = new WebhookReceiver();
 
   @AfterEach
   void stop() {
-    receiver.stop(0);
+    receiver.close();
   }
 
   @Test
   void deliveryIsSignedAndRetriedUntilConfirmed() {
-    answers.add(302);
+    receiver.answer(302);
     JsonNode created =
-        api.post(
-                "/api/v1/webhooks",
-                "{\"url\":\"http://localhost:%d/hook\"}".formatted(receiver.getAddress().getPort()))
+        api.post("/api/v1/webhooks", "{\"url\":\"%s\"}".formatted(receiver.url()))
             .expect(201)
             .json();
     String id = created.get("webhook").get("id").asString();
     String build = api.build(api.suite(api.upload(Activities.zip())));
     api.post("/api/v1/builds/" + build + "/cancel", "").expect(200);
     await().atMost(Duration.ofSeconds(60)).until(() -> delivery(id, "DELIVERED"));
-    assertThat(received).hasSize(2).allSatisfy(r -> assertThat(r.path()).isEqualTo("/hook"));
-    assertThat(received).extracting(Received::delivery).doesNotContainNull();
-    assertThat(received.stream().map(Received::delivery).distinct()).hasSize(1);
-    assertThat(received)
-        .allSatisfy(
-            r -> assertThat(isSignedBy(created.get("secret").asString(), r)).as(r.body()).isTrue());
-    JsonNode payload = JsonMapper.shared().readTree(received.element().body());
+    List<WebhookReceiver.Message> messages = receiver.messages();
+    assertThat(messages).hasSize(2).allSatisfy(m -> assertThat(m.path()).isEqualTo("/hook"));
+    assertThat(messages).extracting(WebhookReceiver.Message::delivery).doesNotContainNull();
+    assertThat(messages.stream().map(WebhookReceiver.Message::delivery).distinct()).hasSize(1);
+    assertThat(messages)
+        .allSatisfy(m -> assertThat(m.isSignedBy(created.get("secret").asString())).isTrue());
+    JsonNode payload = messages.get(0).json();
     assertThat(payload.get("event").asString()).isEqualTo("build.finished");
     assertThat(payload.get("build").asString()).isEqualTo(build);
     assertThat(payload.get("state").asString()).isEqualTo("CANCELLED");
@@ -90,9 +54,7 @@ class WebhookStoryTest extends ServerTest {
   @Test
   void suspectBuildHasNotPassed() {
     String id =
-        api.post(
-                "/api/v1/webhooks",
-                "{\"url\":\"http://localhost:%d/hook\"}".formatted(receiver.getAddress().getPort()))
+        api.post("/api/v1/webhooks", "{\"url\":\"%s\"}".formatted(receiver.url()))
             .expect(201)
             .json()
             .get("webhook")
@@ -106,7 +68,7 @@ class WebhookStoryTest extends ServerTest {
           FakeAgent.result(agent.download(assignment), List.of(), List.of("a torn line")));
     }
     await().atMost(Duration.ofSeconds(60)).until(() -> delivery(id, "DELIVERED"));
-    JsonNode message = JsonMapper.shared().readTree(received.element().body());
+    JsonNode message = receiver.messages().get(0).json();
     assertThat(message.get("build").asString()).isEqualTo(build);
     assertThat(message.get("state").asString()).isEqualTo("DONE");
     assertThat(message.get("counts").get("pass").asInt()).isEqualTo(55);
@@ -124,14 +86,32 @@ class WebhookStoryTest extends ServerTest {
         .contains("sitaf.webhooks.allowed-hosts");
   }
 
+  @Test
+  void eventsAreThoseThatWereAskedFor() {
+    String body = "{\"url\":\"%s\", \"events\": [%s]}";
+    assertThat(api.post("/api/v1/webhooks", body.formatted(receiver.url(), "")).expect(400).text())
+        .contains("events: must name at least one event");
+    assertThat(
+            api.post("/api/v1/webhooks", body.formatted(receiver.url(), "\"build.started\""))
+                .expect(400)
+                .text())
+        .contains("build.started", "build.finished");
+    JsonNode created =
+        api.post("/api/v1/webhooks", body.formatted(receiver.url(), "\"commit.finished\""))
+            .expect(201)
+            .json()
+            .get("webhook");
+    assertThat(created.get("events").toString()).isEqualTo("[\"commit.finished\"]");
+    String build = api.build(api.suite(api.upload(Activities.zip())));
+    api.post("/api/v1/builds/" + build + "/cancel", "").expect(200);
+    String id = created.get("id").asString();
+    assertThat(api.get("/api/v1/webhooks/" + id + "/deliveries").json().get("items")).isEmpty();
+    api.delete("/api/v1/webhooks/" + id).expect(204);
+  }
+
   private boolean delivery(String id, String state) {
     JsonNode items =
         api.get("/api/v1/webhooks/" + id + "/deliveries").expect(200).json().get("items");
     return items.size() == 1 && items.get(0).get("state").asString().equals(state);
-  }
-
-  private static boolean isSignedBy(String secret, Received message) {
-    String[] parts = message.signature().split("[=,]");
-    return Sender.hmac(secret, parts[1] + "." + message.body()).equals(parts[3]);
   }
 }

@@ -53,6 +53,11 @@ public record GitCommit(
     return requestNo < 0;
   }
 
+  /** Whether its status is reported; what is built for another commit is not. */
+  public boolean isReported() {
+    return !mergeBase && !isOfBisection();
+  }
+
   /** The beginning of the id. */
   public String shortSha() {
     return sha.substring(0, Math.min(SHORT, sha.length()));

@@ -24,6 +24,8 @@ class StatusTexts {
   /** Of a comment; the rest is on the page of the commit. */
   static final int MAX_LINES = 60;
 
+  static final String PENDING_DESCRIPTION = "The tests are running.";
+
   private static final int MAX_CONTEXT = 200;
   private static final int MAX_DESCRIPTION = 140;
   private static final int MAX_GROUP = 400;

@@ -102,11 +102,10 @@ class Statuses implements DisposableBean {
   void on(CommitEvent event) {
     GitCommit commit = commits.find(event.commitId()).orElseThrow();
     GitSource source = sourceRows.find(commit.sourceId()).orElseThrow();
-    // The branch reports on its own commits.
-    if (source.project() == null || commit.mergeBase() || commit.isOfBisection()) {
+    if (source.project() == null || !commit.isReported()) {
       return;
     }
-    insert(commit, false, CommitStatus.Result.PENDING, "The tests are running.");
+    insert(commit, false, CommitStatus.Result.PENDING, StatusTexts.PENDING_DESCRIPTION);
     if (event instanceof CommitEvent.Ended) {
       StatusTexts.Summary summary = texts.summary(commit);
       insert(commit, true, summary.result(), summary.description());
