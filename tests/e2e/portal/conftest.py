@@ -1,5 +1,6 @@
 """One system for all tests of the portal, and a browser that is signed in to it; they end with this folder."""
 
+import os
 import re
 import shutil
 import signal
@@ -19,6 +20,7 @@ def link(browser, sitaf, tmp_path_factory):
     data = tmp_path_factory.mktemp("portal")
     system = subprocess.Popen(
         [sitaf.root / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", data],
+        env=os.environ | {"SITAF_WEBHOOKS_ALLOWEDHOSTS": "localhost", "SITAF_WEBHOOKS_PRIVATEADDRESSES": "true"},
         stdout=subprocess.PIPE,
         stdin=subprocess.PIPE,
         text=True,

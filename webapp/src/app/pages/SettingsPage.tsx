@@ -1,6 +1,7 @@
 import { Stack, Title } from '@mantine/core';
 import { Tokens, Users } from '@/features/access';
 import { useSession } from '@/features/session';
+import { Webhooks } from '@/features/webhooks';
 import { Section } from '@/shared/ui';
 
 export function SettingsPage() {
@@ -15,9 +16,14 @@ export function SettingsPage() {
         <Tokens />
       </Section>
       {session.data?.role === 'ADMINISTRATOR' && (
-        <Section title="Users">
-          <Users />
-        </Section>
+        <>
+          <Section title="Users">
+            <Users />
+          </Section>
+          <Section title="Webhooks">
+            <Webhooks />
+          </Section>
+        </>
       )}
     </Stack>
   );

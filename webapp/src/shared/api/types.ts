@@ -61,3 +61,6 @@ export type GitCommit = Schemas['GitCommit'];
 export type GitRequest = Schemas['GitRequest'];
 export type GitSource = Schemas['GitSource'];
 export type GitSourceRequest = Schemas['GitSourceRequest'];
+export type Webhook = Schemas['Webhook'];
+export type WebhookDelivery = Schemas['WebhookDelivery'];
+export type WebhookEvent = Webhook['events'][number];
