@@ -68,8 +68,7 @@ export function Webhooks() {
         />
         <TextInput
           label="Activity"
-          description="Empty: all"
-          inputWrapperOrder={['label', 'input', 'description']}
+          placeholder="All"
           value={activity}
           onChange={(event) => {
             setActivity(event.currentTarget.value);

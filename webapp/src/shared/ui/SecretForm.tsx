@@ -42,7 +42,13 @@ export function SecretForm<Issued, Variables>(props: SecretFormProps<Issued, Var
         </Group>
       </form>
       {issued && (
-        <Alert role="status" color="petrol" variant="outline" title={issued.title}>
+        <Alert
+          role="status"
+          color="petrol"
+          variant="outline"
+          title={issued.title}
+          style={{ overflowWrap: 'anywhere' }}
+        >
           <Code block>{issued.secret}</Code>
           <Text size="sm">Copy it now. It is not shown again.</Text>
           {issued.instructions}
