@@ -2,9 +2,10 @@ import { fileURLToPath } from 'node:url';
 import react from '@vitejs/plugin-react';
 import { defineConfig } from 'vitest/config';
 import { examples } from './scripts/examples.mjs';
+import { shellFirst } from './scripts/shellFirst.mjs';
 
 export default defineConfig({
-  plugins: [react(), examples()],
+  plugins: [react(), examples(), shellFirst()],
   resolve: {
     alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) },
   },
@@ -12,6 +13,15 @@ export default defineConfig({
     target: 'es2022',
     // The content security policy allows no data: scripts, styles or fonts.
     assetsInlineLimit: 0,
+    rolldownOptions: {
+      output: {
+        // One file of what nearly all pages need, instead of twenty small ones. What only some need, such as charts and
+        // the 3D scene, stays in files of their own.
+        codeSplitting: {
+          groups: [{ name: 'base', test: /node_modules\/(@mantine|@floating-ui|@tanstack|react)/ }],
+        },
+      },
+    },
     chunkSizeWarningLimit: 800,
   },
   server: {

@@ -16,6 +16,7 @@ import { visible } from '@/shared/lib/visible';
 import { Loading, RouteLink, UserText } from '@/shared/ui';
 import { ConnectionBanner } from './ConnectionBanner';
 import classes from './Shell.module.css';
+import { WholePage } from './WholePage';
 
 const NAVIGATION = [
   // The page of a suite belongs to its activity.
@@ -78,7 +79,11 @@ export function Shell() {
       <ConnectionBanner />
       <Container component="main" size="xl" py="lg" id="content" tabIndex={-1}>
         <Suspense fallback={<Loading what="the page" />}>
-          {(session.data !== null || onSignInPage) && <Outlet />}
+          {(session.data !== null || onSignInPage) && (
+            <WholePage>
+              <Outlet />
+            </WholePage>
+          )}
         </Suspense>
       </Container>
     </>
