@@ -1,6 +1,6 @@
 /**
- * Moves the style sheets behind the body, so that the browser paints the header of index.html before it has them. Scripts
- * still wait for the style sheets.
+ * Moves the style sheets between the header of index.html and the portal, so that the browser paints the header before it
+ * has them. Scripts still wait for them, and the variables of the theme, which come with the portal, still follow them.
  */
 export function shellFirst() {
   return {
@@ -13,7 +13,7 @@ export function shellFirst() {
           sheets.push(sheet);
           return '';
         });
-        return rest.replace(/\s*<\/body>/, (end) => sheets.join('') + end);
+        return rest.replace(/\s*<div id="root">/, (portal) => sheets.join('') + portal);
       },
     },
   };
