@@ -92,8 +92,12 @@ export function openStage(parent: HTMLElement): Stage {
   let scriptMs = 0;
   let frames = 0;
 
+  let compiling = 0;
+  let disposed = false;
+
   const render = () => {
     frameRequest = 0;
+    if (compiling > 0 || disposed) return;
     const begin = performance.now();
     surroundings.follow(camera);
     renderer.render(scene, camera);
@@ -158,6 +162,9 @@ export function openStage(parent: HTMLElement): Stage {
         defaultSide = moves.freeSide(next.frame(), next.isHiddenFrom);
         setView('default');
       }
+      // A frame would wait for the shaders, and the page with it.
+      compiling++;
+      await renderer.compileAsync(scene, camera).finally(() => compiling--);
       invalidate();
     },
     seek(time) {
@@ -199,6 +206,7 @@ export function openStage(parent: HTMLElement): Stage {
       scriptMs,
     }),
     dispose() {
+      disposed = true;
       cancelAnimationFrame(frameRequest);
       resize.disconnect();
       controls.dispose();
