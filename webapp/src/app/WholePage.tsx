@@ -1,5 +1,6 @@
 import { useQueryClient, type Query } from '@tanstack/react-query';
 import { useEffect, useState, type ReactNode } from 'react';
+import { ArrivedContext } from '@/shared/ui';
 import classes from './Shell.module.css';
 
 /** Milliseconds between two looks at the requests. */
@@ -28,5 +29,9 @@ export function WholePage({ children }: { children: ReactNode }) {
       clearInterval(looks);
     };
   }, [queries]);
-  return <div className={shown ? undefined : classes.arriving}>{children}</div>;
+  return (
+    <ArrivedContext value={shown}>
+      <div className={shown ? undefined : classes.arriving}>{children}</div>
+    </ArrivedContext>
+  );
 }

@@ -4,6 +4,7 @@ import type { CameraPreset } from './cameraPresets';
 import type { Verdict } from '@/shared/api';
 import { formatCount } from '@/shared/lib/format';
 import { VERDICT_COLOURS, VERDICT_LABELS } from '@/shared/lib/verdicts';
+import { useArrived } from '@/shared/ui';
 import type { Recording } from './recording';
 import classes from './replay.module.css';
 import { SceneMenu } from './SceneMenu';
@@ -35,6 +36,7 @@ export function StageView({ recording, verdict, time, following, label, onReady 
   const [stage, setStage] = useState<Stage | null>(null);
   const [loaded, setLoaded] = useState<Recording | null>(null);
   const [failure, setFailure] = useState(() => (hasWebGl() ? null : NO_WEBGL));
+  const arrived = useArrived();
   const dark = useComputedColorScheme('light') === 'dark';
   const [options, setOptions] = useSceneOptions();
   const ready = useRef(onReady);
@@ -43,6 +45,7 @@ export function StageView({ recording, verdict, time, following, label, onReady 
   }, [onReady]);
 
   useEffect(() => {
+    if (!arrived) return;
     let created: Stage | undefined;
     let disposed = false;
     import('./stage')
@@ -59,7 +62,7 @@ export function StageView({ recording, verdict, time, following, label, onReady 
       created?.dispose();
       setStage(null);
     };
-  }, []);
+  }, [arrived]);
 
   useEffect(() => {
     if (!stage) return;

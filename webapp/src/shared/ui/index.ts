@@ -1,3 +1,4 @@
+export { ArrivedContext, useArrived } from './arrival';
 export { Age } from './Age';
 export { Breadcrumb } from './Breadcrumb';
 export { ButtonLink } from './ButtonLink';

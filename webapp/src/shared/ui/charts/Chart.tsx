@@ -1,6 +1,7 @@
 import { useComputedColorScheme } from '@mantine/core';
 import type { EChartsCoreOption, EChartsType } from 'echarts/core';
 import { useEffect, useRef } from 'react';
+import { useArrived } from '../arrival';
 
 interface ChartProps {
   /** Describes the chart for screen readers. */
@@ -15,11 +16,13 @@ interface ChartProps {
 export function Chart({ label, option, height = 280, onPick }: ChartProps) {
   const place = useRef<HTMLDivElement>(null);
   const dark = useComputedColorScheme('light') === 'dark';
+  const arrived = useArrived();
   const pick = useRef(onPick);
   useEffect(() => {
     pick.current = onPick;
   }, [onPick]);
   useEffect(() => {
+    if (!arrived) return;
     let chart: EChartsType | undefined;
     let disposed = false;
     const resize = new ResizeObserver(() => chart?.resize());
@@ -40,6 +43,6 @@ export function Chart({ label, option, height = 280, onPick }: ChartProps) {
       resize.disconnect();
       chart?.dispose();
     };
-  }, [option, dark]);
+  }, [arrived, option, dark]);
   return <div ref={place} role="img" aria-label={label} style={{ height }} />;
 }
