@@ -1,6 +1,6 @@
 import { useQueryClient, type Query } from '@tanstack/react-query';
 import { useEffect, useState, type ReactNode } from 'react';
-import { ArrivedContext } from '@/shared/ui';
+import { ArrivedContext } from '@/shared/lib/arrival';
 import classes from './Shell.module.css';
 
 /** Milliseconds between two looks at the requests. */

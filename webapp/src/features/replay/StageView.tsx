@@ -4,7 +4,7 @@ import type { CameraPreset } from './cameraPresets';
 import type { Verdict } from '@/shared/api';
 import { formatCount } from '@/shared/lib/format';
 import { VERDICT_COLOURS, VERDICT_LABELS } from '@/shared/lib/verdicts';
-import { useArrived } from '@/shared/ui';
+import { useArrived } from '@/shared/lib/arrival';
 import type { Recording } from './recording';
 import classes from './replay.module.css';
 import { SceneMenu } from './SceneMenu';

@@ -1,4 +1,3 @@
-export { ArrivedContext, useArrived } from './arrival';
 export { Age } from './Age';
 export { Breadcrumb } from './Breadcrumb';
 export { ButtonLink } from './ButtonLink';

@@ -1,7 +1,7 @@
 import { useComputedColorScheme } from '@mantine/core';
 import type { EChartsCoreOption, EChartsType } from 'echarts/core';
 import { useEffect, useRef } from 'react';
-import { useArrived } from '../arrival';
+import { useArrived } from '@/shared/lib/arrival';
 
 interface ChartProps {
   /** Describes the chart for screen readers. */
