@@ -97,7 +97,8 @@ export function openStage(parent: HTMLElement): Stage {
 
   const render = () => {
     frameRequest = 0;
-    if (compiling > 0 || disposed) return;
+    // Without a recording there is nothing to see, and a frame of it stops a browser that draws in software.
+    if (!play || compiling > 0 || disposed) return;
     const begin = performance.now();
     surroundings.follow(camera);
     renderer.render(scene, camera);
