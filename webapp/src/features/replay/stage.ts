@@ -52,6 +52,7 @@ export interface Stage {
 
 /** The share of the newest frame in the average of the script's time. */
 const NEWEST = 0.1;
+const FENCE_INTERVAL_MS = 10;
 const SKIPPED_FRAMES = 3;
 
 /** Without a graphics card, each pixel of a shadow costs time of the processor. */
@@ -60,6 +61,17 @@ function drawsInSoftware(renderer: WebGLRenderer): boolean {
   const names = context.getExtension('WEBGL_debug_renderer_info');
   const name = String(context.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER));
   return /swiftshader|llvmpipe|softpipe|software/i.test(name);
+}
+
+/** Waits, without stopping the page, until everything has been drawn. */
+async function drawn(context: WebGL2RenderingContext): Promise<void> {
+  const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (!fence) return;
+  context.flush();
+  while (context.clientWaitSync(fence, 0, 0) === context.TIMEOUT_EXPIRED) {
+    await new Promise((resolve) => setTimeout(resolve, FENCE_INTERVAL_MS));
+  }
+  context.deleteSync(fence);
 }
 
 /**
@@ -74,6 +86,7 @@ export function openStage(parent: HTMLElement): Stage {
   const software = drawsInSoftware(renderer);
   const canvas = renderer.domElement;
   canvas.style.display = 'block';
+  canvas.style.visibility = 'hidden';
   parent.append(canvas);
   const scene = new Scene();
   const camera = new PerspectiveCamera(45, 1, 0.01, 200);
@@ -163,9 +176,18 @@ export function openStage(parent: HTMLElement): Stage {
         defaultSide = moves.freeSide(next.frame(), next.isHiddenFrom);
         setView('default');
       }
-      // A frame would wait for the shaders, and the page with it.
       compiling++;
-      await renderer.compileAsync(scene, camera).finally(() => compiling--);
+      try {
+        await renderer.compileAsync(scene, camera);
+        // The first frame prepares the rest. The page would wait for it, if it could be seen.
+        if (!disposed) {
+          renderer.render(scene, camera);
+          await drawn(renderer.getContext() as WebGL2RenderingContext);
+        }
+      } finally {
+        compiling--;
+      }
+      canvas.style.visibility = 'visible';
       invalidate();
     },
     seek(time) {
