@@ -1,7 +1,7 @@
 """Measures the portal with 1,000 activities, 100,000 builds, 500 agents, and a result of 100,000 cases with causes.
 
-On loopback, in Debian's Chromium. The large result is one that the system makes; the many others are copies of a build in
-the database of the stopped server. Each page is opened three times with an empty cache, and the shortest time counts.
+On loopback, in Debian's Chromium. The large result is one that the system makes; the many others are copies of a build
+in the database of the stopped server. Each page is opened three times with an empty cache, and the shortest time counts.
 """
 
 import io
