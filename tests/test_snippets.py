@@ -1,0 +1,141 @@
+"""Every snippet of the documents is valid: the names that it uses exist in the readers, schemas and interfaces.
+
+The tutorials' snippets are run by test_book.py, the table of expressions by ExpressionVectorsTest.
+"""
+
+import ast
+import functools
+import json
+import re
+import shlex
+import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+yaml = pytest.importorskip("yaml", reason="PyYAML is missing")
+
+ROOT = Path(__file__).resolve().parents[1]
+BLOCK = re.compile(r"^ *```(?P<language>\w*)[^\n]*\n(?P<text>.*?)^ *```", re.MULTILINE | re.DOTALL)
+READERS = ROOT / "itaes-server" / "core" / "src" / "main" / "java"
+SCHEMAS = ROOT / "schemas" / "src" / "main" / "resources"
+# Files of other programs, and the lock file.
+NOT_OF_AN_ACTIVITY = {"continuous-integration.md", "packages.md"}
+SERVER = "https://sitaf.example"
+PLACEHOLDERS = re.compile(r"^(ID|NUMBER|COMMIT|BUILD|\d+)$")
+
+
+def snippets():
+    """Each snippet with the name of its page, its number there, and its language."""
+    pages = [p for p in sorted((ROOT / "docs").rglob("*.md")) if "tutorial" not in p.parts]
+    for page in [*pages, ROOT / "README.md"]:
+        for number, block in enumerate(BLOCK.finditer(page.read_text()), 1):
+            name = f"{page.stem}-{number}-{block['language'] or 'output'}"
+            yield pytest.param(page.name, block["language"], block["text"], id=name)
+
+
+SNIPPETS = list(snippets())
+
+
+@functools.cache
+def quoted_names():
+    """All words between quotes in the sources that read activities and worlds."""
+    return set(re.findall(r'"(\w+)"', "".join(p.read_text() for p in READERS.rglob("*.java"))))
+
+
+@functools.cache
+def schema_names():
+    """The elements and attributes of all schemas."""
+    return set(re.findall(r'\bname="([\w.-]+)"', "".join(p.read_text() for p in SCHEMAS.rglob("*.xsd"))))
+
+
+@functools.cache
+def openapi():
+    return json.loads((ROOT / "webapp" / "openapi.json").read_text())
+
+
+def check_yaml(page, text):
+    found = yaml.safe_load(text)
+    assert isinstance(found, dict | list)
+    if page in NOT_OF_AN_ACTIVITY:
+        return
+    keys = set(found) | set(found.get("component", {})) | set(found.get("timing", {})) | set(found.get("limits", {}))
+    assert keys - quoted_names() == set()
+
+
+def check_xml(page, text):
+    tree = ElementTree.fromstring(f"<snippet>{text}</snippet>")
+    names = {e.tag for e in tree.iter() if e is not tree} | {a for e in tree.iter() for a in e.attrib}
+    # What a test application writes has no schema; core/verdict reads it.
+    known = schema_names() | (quoted_names() if page == "test-application.md" else set())
+    assert names - known == set()
+
+
+def check_json(page, text):
+    assert json.loads(text)
+
+
+def check_python(page, text):
+    ast.parse(text)
+
+
+def check_shell(page, text):
+    """The commands are of the shell's language, and requests are those of the REST interface."""
+    commands = re.sub(r"^\$ ", "", text, flags=re.MULTILINE)
+    parsed = subprocess.run(["bash", "-n"], input=commands, text=True, capture_output=True, check=False)
+    assert parsed.returncode == 0, parsed.stderr
+    for line in re.sub(r"\\\n", " ", commands).splitlines():
+        if line.startswith("curl "):
+            check_request(shlex.split(line))
+
+
+def check_request(words):
+    address = next(word for word in words if word.startswith(SERVER))
+    path = "/" + address.split("/", 3)[3].partition("?")[0]
+    body = words[words.index("-d") + 1] if "-d" in words else None
+    parts = path.split("/")
+    matching = [
+        known
+        for known in openapi()["paths"]
+        if len(known.split("/")) == len(parts)
+        and all(
+            k == p or (k.startswith("{") and PLACEHOLDERS.match(p))
+            for k, p in zip(known.split("/"), parts, strict=True)
+        )
+    ]
+    assert len(matching) == 1, f"{path}: {matching}"
+    operation = openapi()["paths"][matching[0]].get("post" if body else "get")
+    assert operation, f"{matching[0]} has no such method"
+    if body:
+        content = operation["requestBody"]["content"]["application/json"]["schema"]
+        schema = openapi()["components"]["schemas"][content["$ref"].rpartition("/")[2]]
+        assert set(json.loads(body)) - set(schema["properties"]) == set()
+
+
+CHECKS = {
+    "yaml": check_yaml,
+    "xml": check_xml,
+    "json": check_json,
+    "python": check_python,
+    "sh": check_shell,
+    "console": check_shell,
+}
+
+
+@pytest.mark.parametrize(("page", "language", "text"), SNIPPETS)
+def test_a_snippet_is_valid(page, language, text):
+    if language in CHECKS:
+        CHECKS[language](page, text)
+    elif language == "":
+        # What a terminal shows, or a command: test_documents.py knows the commands.
+        assert text.strip()
+    else:
+        assert language in ("groovy", "text", "idl"), f"{language}: no test reads this language"
+
+
+def test_the_documents_have_snippets_of_each_language(capsys):
+    counts = {language: sum(s.values[1] == language for s in SNIPPETS) for language in CHECKS}
+    with capsys.disabled():
+        print(f"\n{len(SNIPPETS)} snippets, of them {', '.join(f'{n} {name}' for name, n in counts.items())}")
+    assert min(counts.values()) > 0
