@@ -195,7 +195,7 @@ def pages(large, small):
         "result of a copy": ("/builds/copy-build-1", 'button[aria-label="Case 1"]'),
         "test cases of 100,000": (f"/suites/{suite}", 'input[aria-label="Expected return of case 1"]'),
         "result of 100,000": (f"/builds/{build}", 'button[aria-label="Case 1"]'),
-        "causes of 100,000": (f"/builds/{build}", 'section:has(h2:text("Causes")) :text("900")'),
+        "causes of 100,000": (f"/builds/{build}", '[aria-label="Cause 1"]'),
         "graphs of 100,000": (f"/builds/{build}?tab=graphs", "main canvas"),
         "case of 100,000": (f"/builds/{build}/cases/77777", 'table[aria-label^="Values of case"]'),
     }
