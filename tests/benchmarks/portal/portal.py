@@ -1,7 +1,8 @@
 """Measures the portal with 1,000 activities, 100,000 builds, 500 agents, and a result of 100,000 cases with causes.
 
 On loopback, in Debian's Chromium. The large result is one that the system makes; the many others are copies of a build
-in the database of the stopped server. Each page is opened three times with an empty cache, and the shortest time counts.
+in the database of the stopped server. If the causes are not found in time, the pages are measured without
+them. Each page is opened three times with an empty cache, and the shortest time counts.
 """
 
 import io
@@ -25,6 +26,7 @@ SMALL = 2048
 VALUES = 317  # its square is the first one above 100,000
 ACTIVITIES, BUILDS, AGENTS = 1_000, 100_000, 500
 PAGE_S = 1.5
+CAUSES_S = 120
 
 FILES = {
     "activity.yaml": """name: adder
@@ -121,24 +123,31 @@ def built(page, root, files, model):
     activity = call(page, "POST", f"{root}/api/v1/activities", zipped(files), "application/zip")["id"]
     suite = call(page, "POST", f"{root}/api/v1/activities/{activity}/models/{model}/suites", "{}")["id"]
     build = call(page, "POST", f"{root}/api/v1/builds", json.dumps({"suiteId": suite}))["id"]
-    wait(page, f"{root}/api/v1/builds/{build}")
+    assert wait(page, f"{root}/api/v1/builds/{build}")
     return activity, suite, build
 
 
-def wait(page, address):
+def wait(page, address, patience_s=600):
+    """Waits until a build or an analysis has ended; whether it did in time."""
+    deadline = time.monotonic() + patience_s
     while (found := call(page, "GET", address))["state"] not in ("DONE", "FAILED", "CANCELLED"):
+        if time.monotonic() > deadline:
+            return False
         time.sleep(1)
     assert found["state"] == "DONE", found
+    return True
 
 
 def prepare(page, root):
     """The large result with its causes, and the small one that is copied."""
     large = built(page, root, FILES, "Add")
-    explanation = f"{root}/api/v1/builds/{large[2]}/explanation"
-    call(page, "POST", explanation, "{}")
-    wait(page, explanation)
     small = built(page, root, example("ir-sensor-faulty"), "GetInfraredData")
-    return large, small
+    explanation = f"{root}/api/v1/builds/{large[2]}/explanation"
+    requested = call(page, "POST", explanation, "{}")["id"]
+    explained = wait(page, explanation, CAUSES_S)
+    if not explained:
+        call(page, "POST", f"{root}/api/v1/builds/{requested}/cancel", "")
+    return large, small, explained
 
 
 def multiply(data, build):
@@ -201,7 +210,7 @@ def pages(large, small):
     }
 
 
-def measure(page, root, large, small):
+def measure(page, root, large, small, explained):
     kilobytes, plain = first_load(page, root)
     total = call(page, "GET", f"{root}/api/v1/builds?size=1")["total"]
     rows = [
@@ -209,7 +218,10 @@ def measure(page, root, large, small):
         ("script of the first page, compressed", kilobytes, 400, "below", "kB"),
         ("larger scripts that came uncompressed", plain, 1, "below", ""),
     ]
+    rows.append((f"causes of 100,000 found within {CAUSES_S} s", explained, 1, "at least", ""))
     for name, (path, selector) in pages(large, small).items():
+        if name.startswith("causes") and not explained:
+            continue
         rows.append((name, seconds_until(page, root + path, selector), PAGE_S, "below", "s"))
     page.goto(f"{root}/suites/{large[1]}")
     page.locator('input[aria-label="Expected return of case 1"]').first.wait_for()
@@ -224,10 +236,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         data = Path(folder) / "data"
         with portal(data) as (page, root):
-            large, small = prepare(page, root)
+            large, small, explained = prepare(page, root)
         multiply(data, small[2])
         with portal(data) as (page, root):
-            rows = measure(page, root, large, small)
+            rows = measure(page, root, large, small, explained)
     short = []
     for name, value, target, sense, unit in rows:
         held = value >= target if sense == "at least" else value < target

@@ -88,12 +88,7 @@ public final class Explainer {
     int strength = suite.generation().strength().isAll() ? 3 : suite.generation().strength().t();
     this.history =
         new History(
-            new Combinations(
-                values.counts(),
-                rows,
-                values::isAllowed,
-                (input, level) -> !values.isValid(input, values.levelsOf(input).get(level)),
-                strength),
+            new Combinations(values.counts(), rows, values::isAllowed, values::isInvalid, strength),
             row ->
                 FurtherCases.outcome(
                     further

@@ -1,8 +1,11 @@
 package org.sitaf.core.explain;
 
+import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Predicate;
 import org.sitaf.core.combine.Interruption;
 
@@ -12,7 +15,11 @@ final class History {
   private final Combinations.Execution execution;
   private final int budget;
   private final List<int[]> passing = new ArrayList<>();
+  private final List<int[]> passingValid = new ArrayList<>();
   private final List<Combinations.Row> failing = new ArrayList<>();
+  // A search asks for thousands of candidates whether they are among what can be 100,000 rows.
+  private final Set<IntBuffer> passed = new HashSet<>();
+  private final Set<IntBuffer> failed = new HashSet<>();
 
   private final List<Predicate<int[]>> relations = new ArrayList<>();
   private int executions;
@@ -25,10 +32,16 @@ final class History {
   }
 
   private void add(Combinations.Row row) {
+    int[] values = row.values();
     if (row.outcome().failed()) {
       failing.add(row);
+      failed.add(IntBuffer.wrap(values));
     } else {
-      passing.add(row.values());
+      passing.add(values);
+      passed.add(IntBuffer.wrap(values));
+      if (combinations.invalidOf(values) == 0) {
+        passingValid.add(values);
+      }
     }
   }
 
@@ -42,7 +55,7 @@ final class History {
 
   /** The passing rows without an invalid value. */
   List<int[]> passingValid() {
-    return passing.stream().filter(p -> combinations.invalidOf(p) == 0).toList();
+    return List.copyOf(passingValid);
   }
 
   /** Whether a row has an invalid value that another one does not have. */
@@ -73,13 +86,13 @@ final class History {
   }
 
   boolean wasExecuted(int[] row) {
-    return passing.stream().anyMatch(p -> Arrays.equals(p, row))
-        || failing.stream().anyMatch(f -> Arrays.equals(f.values(), row));
+    IntBuffer values = IntBuffer.wrap(row);
+    return passed.contains(values) || failed.contains(values);
   }
 
   /** Whether a row failed once and passed another time. */
   boolean isFlaky(int[] row) {
-    return passing.stream().anyMatch(p -> Arrays.equals(p, row));
+    return passed.contains(IntBuffer.wrap(row));
   }
 
   /** The number of different rows that failed once and passed another time. */

@@ -3,6 +3,7 @@ package org.sitaf.core.explain;
 import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -36,6 +37,7 @@ final class SuiteValues {
   private final GivenCases given;
   private final List<List<Value>> levels = new ArrayList<>();
   private final List<Map<String, Integer>> indices = new ArrayList<>();
+  private final List<BitSet> invalidLevels = new ArrayList<>();
   private final int maxInvalid;
   private final int nextNo;
   private final Map<List<Integer>, Boolean> allowed = new HashMap<>();
@@ -59,6 +61,11 @@ final class SuiteValues {
         index.put(values.get(v).literal(), v);
       }
       indices.add(index);
+      BitSet invalid = new BitSet(values.size());
+      for (int v = 0; v < values.size(); v++) {
+        invalid.set(v, !isValid(i, values.get(v)));
+      }
+      invalidLevels.add(invalid);
     }
     int most = 0;
     int highest = 0;
@@ -145,6 +152,11 @@ final class SuiteValues {
     return IntStream.range(0, values.size())
         .mapToObj(i -> new TestValue(values.get(i), isValid(i, values.get(i))))
         .toList();
+  }
+
+  /** Whether a value of the suite is invalid. */
+  boolean isInvalid(int input, int level) {
+    return invalidLevels.get(input).get(level);
   }
 
   boolean isValid(int input, Value value) {
