@@ -171,12 +171,16 @@ def seconds_until(page, address, selector):
 def first_load(page, root):
     """Kilobytes of script of the home page, and how many larger scripts came uncompressed."""
     loaded = []
+
+    def note(request):
+        loaded.append(request)
+
     page.context.new_cdp_session(page).send("Network.setCacheDisabled", {"cacheDisabled": True})
-    page.on("requestfinished", loaded.append)
+    page.on("requestfinished", note)
     page.goto(root)
     page.get_by_role("heading", name="Interface tests").wait_for()
     page.wait_for_load_state("networkidle")
-    page.remove_listener("requestfinished", loaded.append)
+    page.remove_listener("requestfinished", note)
     scripts = [request for request in loaded if request.url.endswith(".js")]
     # The server does not compress very small responses.
     plain = sum(
