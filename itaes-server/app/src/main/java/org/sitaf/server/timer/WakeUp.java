@@ -8,8 +8,8 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs a task at the earliest of the times that were requested. Not thread-safe: times are requested
- * by other tasks of the executor, whose only thread has ended this one then.
+ * Runs a task at the earliest of the times that were requested. Not thread-safe: times are
+ * requested by other tasks of the executor, whose only thread has ended this one then.
  */
 public final class WakeUp {
   private final ScheduledExecutorService executor;
