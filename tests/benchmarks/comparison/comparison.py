@@ -4,22 +4,17 @@ The alternative in the same run: both result documents downloaded and compared b
 groups, knows no last bits and does not match cases.
 """
 
-import io
 import os
 import re
-import shutil
-import signal
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
-import zipfile
 from pathlib import Path
 
-from playwright.sync_api import sync_playwright
+from portal_session import signed_in
 
-HOME = Path(os.environ["SITAF_HOME"])
 VALUES = 100
 CASES = VALUES * VALUES
 ROUNDS = 5
@@ -62,59 +57,6 @@ models: [Weigh.xml]
     }
 
 
-def archive(change):
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w") as file:
-        for path, text in files(change).items():
-            file.writestr(path, text)
-    return content.getvalue()
-
-
-class Session:
-    """Requests of the portal's own session."""
-
-    def __init__(self, page, root):
-        self._page = page
-        self.root = root
-
-    def _fetch(self, method, path, data, kind):
-        token = next(
-            (c["value"] for c in self._page.context.cookies() if c["name"] == "XSRF-TOKEN"),
-            "",
-        )
-        answer = self._page.request.fetch(
-            self.root + path,
-            method=method,
-            data=data,
-            headers={"Content-Type": kind, "X-XSRF-TOKEN": token},
-            timeout=600_000,
-        )
-        assert answer.ok, f"{method} {path}: {answer.status} {answer.text()}"
-        return answer
-
-    def post(self, path, data="{}", kind="application/json"):
-        return self._fetch("POST", path, data, kind).json()
-
-    def get(self, path):
-        return self._fetch("GET", path, None, "application/json").json()
-
-    def bytes(self, path):
-        return self._fetch("GET", path, None, "application/json").body()
-
-    def build(self, change):
-        activity = self.post("/api/v1/activities", archive(change), "application/zip")["id"]
-        suite = self.post(f"/api/v1/activities/{activity}/models/Weigh/suites")["id"]
-        build = self.post("/api/v1/builds", f'{{"suiteId":"{suite}"}}')["id"]
-        while (state := self.get(f"/api/v1/builds/{build}"))["state"] not in (
-            "DONE",
-            "FAILED",
-            "CANCELLED",
-        ):
-            time.sleep(0.5)
-        assert state["state"] == "DONE", state
-        return build
-
-
 def timed(work, *given):
     began = time.perf_counter()
     result = work(*given)
@@ -134,10 +76,10 @@ def cases_of_the_first_group(page, address):
     page.get_by_role("table", name="Cases of the group").wait_for(timeout=PATIENCE_MS)
 
 
-def measure(page, session, folder):
+def measure(session, folder):
     """Each round compares another pair, so that no comparison is in the server's cache."""
-    base = session.build("")
-    pairs = [session.build(f"{CHANGE} // {i}") for i in range(ROUNDS)]
+    base = session.build(files(""), "Weigh").build
+    pairs = [session.build(files(f"{CHANGE} // {i}"), "Weigh").build for i in range(ROUNDS)]
     server, pages, diffs = [], [], []
     for now in pairs:
         path = f"/api/v1/builds/{now}/result/comparison/values?with={base}"
@@ -148,31 +90,16 @@ def measure(page, session, folder):
         diffs.append(timed(both_documents, session, folder, base, now)[0])
     for now in pairs[1:]:
         # The other direction is not in the cache.
-        pages.append(timed(cases_of_the_first_group, page, f"{session.root}/builds/{base}/compare?with={now}")[0])
+        pages.append(
+            timed(cases_of_the_first_group, session.page, f"{session.root}/builds/{base}/compare?with={now}")[0]
+        )
     return server[0], statistics.median(server[1:]), max(server[1:]), statistics.median(pages), statistics.median(diffs)
 
 
 def main():
     with tempfile.TemporaryDirectory() as data:
-        system = subprocess.Popen(
-            [HOME / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", data],
-            stdout=subprocess.PIPE,
-            stdin=subprocess.PIPE,
-            text=True,
-        )
-        try:
-            link = next(m.group(1) for line in system.stdout if (m := re.search(r"valid once: (http\S+)", line)))
-            with sync_playwright() as driver:
-                chromium = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
-                page = chromium.new_page(viewport={"width": 1280, "height": 900})
-                page.goto(link)
-                page.get_by_role("heading", name="Interface tests").wait_for()
-                session = Session(page, re.match(r"https?://[^/]+", link).group(0))
-                first, median, longest, usable, diff = measure(page, session, Path(data))
-                chromium.close()
-        finally:
-            system.send_signal(signal.SIGINT)
-            system.wait(timeout=60)
+        with signed_in(Path(data) / "system") as session:
+            first, median, longest, usable, diff = measure(session, Path(data))
     rows = [
         ("comparison in the server, median of new pairs, s", median, 0.5),
         ("comparison in the server, longest, s", longest, None),

@@ -5,24 +5,16 @@ in the database of the stopped server. If the causes are not found in time, the 
 them. Each page is opened three times, and the shortest time counts.
 """
 
-import io
-import json
 import os
-import re
-import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import time
-import zipfile
-from contextlib import contextmanager
 from pathlib import Path
 
 from playwright.sync_api import TimeoutError as PlaywrightTimeout
-from playwright.sync_api import sync_playwright
+from portal_session import HOME, example, signed_in
 
-HOME = Path(os.environ["SITAF_HOME"])
 SMALL = 2048
 VALUES = 317  # its square is the first one above 100,000
 ACTIVITIES, BUILDS, AGENTS = 1_000, 100_000, 500
@@ -74,81 +66,15 @@ SCROLL = """async (label) => {
 }"""
 
 
-def zipped(files):
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w") as file:
-        for path, data in files.items():
-            file.writestr(path, data)
-    return content.getvalue()
-
-
-def example(name):
-    folder = HOME / "examples" / name
-    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
-
-
-@contextmanager
-def portal(data):
-    """A page that is signed in to a system with a data folder, and the root of its addresses."""
-    system = subprocess.Popen(
-        [HOME / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", data],
-        stdout=subprocess.PIPE,
-        stdin=subprocess.PIPE,
-        text=True,
-    )
-    try:
-        link = next(m.group(1) for line in system.stdout if (m := re.search(r"valid once: (http\S+)", line)))
-        with sync_playwright() as driver:
-            chromium = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
-            page = chromium.new_page(viewport={"width": 1280, "height": 900})
-            page.goto(link)
-            page.get_by_role("heading", name="Interface tests").wait_for()
-            yield page, re.match(r"https?://[^/]+", link).group(0)
-            chromium.close()
-    finally:
-        system.send_signal(signal.SIGINT)
-        system.wait(timeout=120)
-
-
-def call(page, method, path, data=None, kind="application/json"):
-    """A request of the portal's own session."""
-    token = next((c["value"] for c in page.context.cookies() if c["name"] == "XSRF-TOKEN"), "")
-    answer = page.request.fetch(
-        path, method=method, data=data, headers={"Content-Type": kind, "X-XSRF-TOKEN": token}, timeout=600_000
-    )
-    assert answer.ok, f"{method} {path}: {answer.status} {answer.text()}"
-    return answer.json()
-
-
-def built(page, root, files, model):
-    """Uploads an activity and builds a model; its activity, suite and build."""
-    activity = call(page, "POST", f"{root}/api/v1/activities", zipped(files), "application/zip")["id"]
-    suite = call(page, "POST", f"{root}/api/v1/activities/{activity}/models/{model}/suites", "{}")["id"]
-    build = call(page, "POST", f"{root}/api/v1/builds", json.dumps({"suiteId": suite}))["id"]
-    assert wait(page, f"{root}/api/v1/builds/{build}")
-    return activity, suite, build
-
-
-def wait(page, address, patience_s=600):
-    """Waits until a build or an analysis has ended; whether it did in time."""
-    deadline = time.monotonic() + patience_s
-    while (found := call(page, "GET", address))["state"] not in ("DONE", "FAILED", "CANCELLED"):
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(1)
-    assert found["state"] == "DONE", found
-    return True
-
-
-def prepare(page, root):
+def prepare(session):
     """The large result with its causes, and the small one that is copied."""
-    large = built(page, root, FILES, "Add")
-    small = built(page, root, example("ir-sensor-faulty"), "GetInfraredData")
-    explanation = f"{root}/api/v1/builds/{large[2]}/explanation"
-    requested = call(page, "POST", explanation, "{}")["id"]
-    explained = wait(page, explanation, CAUSES_S)
+    large = session.build(FILES, "Add")
+    small = session.build(example("ir-sensor-faulty"), "GetInfraredData")
+    explanation = f"/api/v1/builds/{large.build}/explanation"
+    requested = session.post(explanation)["id"]
+    explained = session.wait(explanation, CAUSES_S)
     if not explained:
-        call(page, "POST", f"{root}/api/v1/builds/{requested}/cancel", "")
+        session.post(f"/api/v1/builds/{requested}/cancel", "")
     return large, small, explained
 
 
@@ -173,7 +99,7 @@ def seconds_until(page, address, selector):
     return min(times)
 
 
-def first_load(page, root):
+def first_load(session):
     """Kilobytes of script of the home page, and how many larger scripts came uncompressed."""
     loaded = []
 
@@ -181,10 +107,10 @@ def first_load(page, root):
         loaded.append(request)
 
     # A context of its own has an empty cache.
-    context = page.context.browser.new_context(storage_state=page.context.storage_state())
+    context = session.page.context.browser.new_context(storage_state=session.page.context.storage_state())
     first = context.new_page()
     first.on("requestfinished", note)
-    first.goto(root)
+    first.goto(session.root)
     first.get_by_role("heading", name="Interface tests").wait_for()
     first.wait_for_load_state("networkidle")
     scripts = [request for request in loaded if request.url.endswith(".js")]
@@ -201,7 +127,6 @@ def first_load(page, root):
 
 def pages(large, small):
     """What is opened, and what shows that it is there."""
-    activity, suite, build = large
     return {
         "home": ("/", 'section:has(h2:text("Recent builds")) tbody tr'),
         "activities": ("/activities", "main tbody tr"),
@@ -211,20 +136,21 @@ def pages(large, small):
         "builds, searched": ("/builds?search=0777", 'main a:has-text("0777")'),
         "agents": ("/agents", "main tbody tr"),
         "schedules": ("/schedules", 'main h1:text("Schedules")'),
-        "activity": (f"/activities/{small[0]}", "main tbody tr, main .cm-content, main nav"),
+        "activity": (f"/activities/{small.activity}", "main tbody tr, main .cm-content, main nav"),
         "history of an activity": ("/builds/copy-build-1?tab=history", "main tbody tr"),
         "result of a copy": ("/builds/copy-build-1", 'button[aria-label="Case 1"]'),
-        "test cases of 100,000": (f"/suites/{suite}", 'input[aria-label="Expected return of case 1"]'),
-        "result of 100,000": (f"/builds/{build}", 'button[aria-label="Case 1"]'),
-        "causes of 100,000": (f"/builds/{build}", '[aria-label="Cause 1"]'),
-        "graphs of 100,000": (f"/builds/{build}?tab=graphs", "main canvas"),
-        "case of 100,000": (f"/builds/{build}/cases/77777", 'table[aria-label^="Values of case"]'),
+        "test cases of 100,000": (f"/suites/{large.suite}", 'input[aria-label="Expected return of case 1"]'),
+        "result of 100,000": (f"/builds/{large.build}", 'button[aria-label="Case 1"]'),
+        "causes of 100,000": (f"/builds/{large.build}", '[aria-label="Cause 1"]'),
+        "graphs of 100,000": (f"/builds/{large.build}?tab=graphs", "main canvas"),
+        "case of 100,000": (f"/builds/{large.build}/cases/77777", 'table[aria-label^="Values of case"]'),
     }
 
 
-def measure(page, root, large, small, explained):
-    kilobytes, plain = first_load(page, root)
-    total = call(page, "GET", f"{root}/api/v1/builds?size=1")["total"]
+def measure(session, large, small, explained):
+    page, root = session.page, session.root
+    kilobytes, plain = first_load(session)
+    total = session.get("/api/v1/builds?size=1")["total"]
     rows = [
         ("builds", total, BUILDS, "at least", ""),
         ("script of the first page, compressed", kilobytes, 400, "below", "kB"),
@@ -235,10 +161,10 @@ def measure(page, root, large, small, explained):
         if name.startswith("causes") and not explained:
             continue
         rows.append((name, seconds_until(page, root + path, selector), PAGE_S, "below", "s"))
-    page.goto(f"{root}/suites/{large[1]}")
+    page.goto(f"{root}/suites/{large.suite}")
     page.locator('input[aria-label="Expected return of case 1"]').first.wait_for()
     rows.append(("test cases scroll, 95 % of frames", page.evaluate(SCROLL, "Test cases"), 50, "below", "ms"))
-    page.goto(f"{root}/builds/{large[2]}")
+    page.goto(f"{root}/builds/{large.build}")
     page.locator('button[aria-label="Case 1"]').first.wait_for()
     rows.append(("result scrolls, 95 % of frames", page.evaluate(SCROLL, "Cases"), 50, "below", "ms"))
     return rows
@@ -247,11 +173,11 @@ def measure(page, root, large, small, explained):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         data = Path(folder) / "data"
-        with portal(data) as (page, root):
-            large, small, explained = prepare(page, root)
-        multiply(data, small[2])
-        with portal(data) as (page, root):
-            rows = measure(page, root, large, small, explained)
+        with signed_in(data) as session:
+            large, small, explained = prepare(session)
+        multiply(data, small.build)
+        with signed_in(data) as session:
+            rows = measure(session, large, small, explained)
     short = []
     for name, value, target, sense, unit in rows:
         held = value >= target if sense == "at least" else value < target
