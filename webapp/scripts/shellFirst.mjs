@@ -13,7 +13,9 @@ export function shellFirst() {
           sheets.push(sheet);
           return '';
         });
-        return rest.replace(/\s*<div id="root">/, (portal) => sheets.join('') + portal);
+        const place = rest.search(/\s*<div id="root">/);
+        if (place < 0) throw new Error('index.html has no element #root for the portal');
+        return rest.slice(0, place) + sheets.join('') + rest.slice(place);
       },
     },
   };

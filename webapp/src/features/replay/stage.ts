@@ -110,7 +110,7 @@ export function openStage(parent: HTMLElement): Stage {
 
   const render = () => {
     frameRequest = 0;
-    // Without a recording there is nothing to see, and a frame of it stops a browser that draws in software.
+    // Without a recording there is nothing to see, and a browser without a graphics card waits for each frame.
     if (!play || compiling > 0 || disposed) return;
     const begin = performance.now();
     surroundings.follow(camera);
@@ -179,7 +179,7 @@ export function openStage(parent: HTMLElement): Stage {
       compiling++;
       try {
         await renderer.compileAsync(scene, camera);
-        // The first frame prepares the rest. The page would wait for it, if it could be seen.
+        // The first frame takes longest. While the canvas is hidden, the page does not wait for it.
         if (!disposed) {
           renderer.render(scene, camera);
           await drawn(renderer.getContext() as WebGL2RenderingContext);

@@ -17,7 +17,7 @@ final class History {
   private final List<int[]> passing = new ArrayList<>();
   private final List<int[]> passingValid = new ArrayList<>();
   private final List<Combinations.Row> failing = new ArrayList<>();
-  // A search asks for thousands of candidates whether they are among what can be 100,000 rows.
+  // For lookups: a search checks thousands of candidates, and a suite can have 100,000 rows.
   private final Set<IntBuffer> passed = new HashSet<>();
   private final Set<IntBuffer> failed = new HashSet<>();
 
