@@ -48,12 +48,12 @@ def runtime():
     return folder
 
 
-def build_node(package, entry, into, is_main=True):
+def build_node(package, entry, into, is_main=True, *further):
     """Build a node; the finished process."""
     scratch = into / "scratch"
     scratch.mkdir(parents=True, exist_ok=True)
     options = ["--into", into, "--runtime", runtime(), "--scratch", scratch, "--package", package, "--entry", entry]
-    return build("node", *options, *(["--main"] if is_main else []))
+    return build("node", *options, *(["--main"] if is_main else []), *further)
 
 
 def run_node(library, script, **settings):

@@ -12,6 +12,15 @@
 #include <system_error>
 #include <vector>
 
+// AddressSanitizer has to know the stack on which the program is; absent in a node without it.
+// https://github.com/google/sanitizers/issues/189
+extern "C" {
+__attribute__((weak)) void __sanitizer_start_switch_fiber(void ** kept, const void * bottom, std::size_t size);
+__attribute__((weak)) void __sanitizer_finish_switch_fiber(
+  void * kept, const void ** bottom_left, std::size_t * size_left);
+__attribute__((weak)) void __asan_unpoison_memory_region(const volatile void * begin, std::size_t size);
+}
+
 namespace sitaf_ros {
 
 namespace {
@@ -39,6 +48,7 @@ struct Fiber
   std::function<void()> run;
   ucontext_t context;
   void * stack = nullptr;
+  void * fake_stack = nullptr;  // of AddressSanitizer
   Exceptions exceptions{nullptr, 0};
   bool waiting = false;
   bool timed_out = false;
@@ -58,6 +68,8 @@ std::deque<Fiber *> ready_;
 Fiber * current_ = nullptr;
 ucontext_t driver_;
 Exceptions driver_exceptions_{nullptr, 0};
+const void * driver_stack_ = nullptr;
+std::size_t driver_stack_bytes_ = 0;
 std::string failure_;
 std::uint64_t started_ = 0;
 Nanos looked_at_ = -1;
@@ -70,13 +82,29 @@ int late_waits_ = 0;
 
 Exceptions & exceptions() {return *reinterpret_cast<Exceptions *>(abi::__cxa_get_globals());}
 
+void leave_stack(void ** kept, const void * next, std::size_t bytes)
+{
+  if (__sanitizer_start_switch_fiber != nullptr) {
+    __sanitizer_start_switch_fiber(kept, next, bytes);
+  }
+}
+
+void enter_stack(void * kept, const void ** left = nullptr, std::size_t * bytes_left = nullptr)
+{
+  if (__sanitizer_finish_switch_fiber != nullptr) {
+    __sanitizer_finish_switch_fiber(kept, left, bytes_left);
+  }
+}
+
 void to_driver()
 {
   Fiber * me = current_;
   me->exceptions = exceptions();
   exceptions() = driver_exceptions_;
   current_ = nullptr;
+  leave_stack(me->finished ? nullptr : &me->fake_stack, driver_stack_, driver_stack_bytes_);
   swapcontext(&me->context, &driver_);
+  enter_stack(me->fake_stack);
 }
 
 void run(Fiber * fiber)
@@ -84,7 +112,10 @@ void run(Fiber * fiber)
   driver_exceptions_ = exceptions();
   exceptions() = fiber->exceptions;
   current_ = fiber;
+  void * kept = nullptr;
+  leave_stack(&kept, fiber->stack, STACK_BYTES);
   swapcontext(&driver_, &fiber->context);
+  enter_stack(kept);
 }
 
 // Never returns: leaves the thread where it is.
@@ -98,6 +129,7 @@ void run(Fiber * fiber)
 
 void body()
 {
+  enter_stack(nullptr, &driver_stack_, &driver_stack_bytes_);
   Fiber * me = current_;
   try {
     me->run();
@@ -138,6 +170,10 @@ std::uint64_t start(const std::string & name, std::function<void()> run)
     nullptr, STACK_BYTES, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
   if (fiber->stack == MAP_FAILED) {
     throw std::system_error(std::make_error_code(std::errc::not_enough_memory), "no memory for a thread");
+  }
+  if (__asan_unpoison_memory_region != nullptr) {
+    // An earlier thread that was abandoned may have left its marks in the same place.
+    __asan_unpoison_memory_region(fiber->stack, STACK_BYTES);
   }
   mprotect(fiber->stack, 4096, PROT_NONE);
   getcontext(&fiber->context);

@@ -133,6 +133,9 @@ class RosApplication:
             raise RosLoadError([f"{name} {what}; write `module:{name}`"])
         return found[0]
 
+    def save_coverage(self) -> None:
+        """Do nothing: coverage.py records modules."""
+
     def start(self, settings: RosSettings) -> RosSystem:
         """Begin a case in this process; its nodes are made in the first `run_until`."""
         if self._run is None:

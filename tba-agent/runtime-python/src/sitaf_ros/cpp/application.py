@@ -57,6 +57,11 @@ class CppApplication(RosApplication):
         except OSError as e:
             raise RosLoadError([f"the library of the node cannot be loaded: {e}"]) from e
 
+    def save_coverage(self) -> None:
+        """Save which lines of the node this process has executed, if they are counted."""
+        if self._library is not None:
+            self._library.save_coverage()
+
     def start(self, settings: RosSettings) -> RosSystem:
         """Begin a case in this process; its nodes are made in the first `run_until`."""
         if self._library is None:

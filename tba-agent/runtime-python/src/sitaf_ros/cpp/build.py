@@ -17,6 +17,7 @@ from pathlib import Path
 from sitaf_ros.application import OWN_DEFINITIONS
 from sitaf_ros.cpp.entry import Entry, EntryError, find_entry
 from sitaf_ros.cpp.headers import CppHeaders
+from sitaf_ros.cpp.instrumentation import Instrumentation, InstrumentationError
 from sitaf_ros.cpp.sources import NodeSources
 from sitaf_ros.definitions import DefinitionError, LayeredTypes, TypeFolders
 
@@ -86,10 +87,17 @@ class Build:
         self._types = types_of(arguments.interfaces)
         self._is_main: bool = arguments.main
         self._entry: str = arguments.entry
+        self._instrumentation = Instrumentation(arguments.compiler, arguments.coverage, tuple(arguments.sanitize))
+        # What the compiler records in place of the folder of the package.
+        self._recorded: str = arguments.recorded_as or str(self._package)
         self._errors: list[str] = []
 
     def run(self) -> int:
         """Compile and link; return the exit code."""
+        try:
+            self._instrumentation.prepare(self._into)
+        except InstrumentationError as e:
+            return self._report([f"\t0\t0\t{e}"])
         headers = CppHeaders(self._types)
         sources = NodeSources(self._package, self._api / "include", headers)
         try:
@@ -120,6 +128,7 @@ class Build:
             results = list(pool.map(compile_one, units, objects))
         if not all(results):
             return self._report(self._errors)
+        self._instrumentation.keep_notes(self._scratch, self._into)
         return self._link(objects, flags)
 
     def _compile(self, unit: Path, into: Path, sources: NodeSources, entry: Entry, flags: dict[str, list[str]]) -> bool:
@@ -129,8 +138,10 @@ class Build:
         standard = [f"-std=c++{sources.standard}"]
         precompiled = ["-include", str(self._runtime / "sitaf_precompiled.hpp")] if sources.standard == 17 else []
         main = ["-Dmain=sitaf_node_main"] if unit != self._scratch / "sitaf_entry.cpp" else []
-        command = [self._compiler, *standard, *_OPTIONS, "-Wall", *precompiled, *main, *sources.definitions, *options]
-        done = _run([*command, *flags["--cflags"], "-c", str(unit), "-o", str(into)], self._scratch)
+        command = [self._compiler, *standard, *_OPTIONS, "-Wall", *self._instrumentation.of_unit(self._package)]
+        command += [f"-ffile-prefix-map={self._package}/={self._recorded}/", *precompiled, *main]
+        command += [*sources.definitions, *options, *flags["--cflags"], "-c", str(unit), "-o", str(into)]
+        done = _run(command, self._scratch)
         if done.returncode:
             found = [f"{m['file']}\t{m['line']}\t{m['column']}\t{m['text']}" for m in _ERROR.finditer(done.stderr)]
             self._errors += found or [f"{unit}\t0\t0\t{done.stderr.strip() or 'the compiler failed'}"]
@@ -166,7 +177,7 @@ class Build:
         runtime = sorted(self._runtime.glob("*.o"))
         library = self._into / LIBRARY
         command = [self._compiler, "-shared", "-pthread", "-Wl,--no-undefined", "-Wl,-Bsymbolic"]
-        command += [f"-Wl,--wrap={name}" for name in names]
+        command += [*self._instrumentation.of_library(), *(f"-Wl,--wrap={name}" for name in names)]
         command += [*map(str, objects), *map(str, runtime), *flags["--libs"], "-o", str(library)]
         done = _run(command, self._scratch)
         if done.returncode:
@@ -191,6 +202,9 @@ def main() -> int:
     parser.add_argument("--entry", default="")
     parser.add_argument("--main", action="store_true")
     parser.add_argument("--packages", nargs="*", default=[])
+    parser.add_argument("--coverage", action="store_true")
+    parser.add_argument("--sanitize", nargs="*", default=[])
+    parser.add_argument("--recorded-as", default="")
     arguments = parser.parse_args()
     if arguments.what == "runtime":
         build_runtime(arguments.compiler, arguments.api, arguments.interfaces, arguments.into)

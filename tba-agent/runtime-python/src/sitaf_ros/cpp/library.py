@@ -121,6 +121,15 @@ class Library:
         """Tell whether a node offers a service."""
         return bool(self._lib.sitaf_ros_offers(name.encode()))
 
+    def save_coverage(self) -> None:
+        """Add what this process has executed to the files of gcov, and start again at zero.
+
+        Nothing happens if the node was not compiled to count.
+        """
+        for name in ("__gcov_dump", "__gcov_reset"):
+            if function := getattr(self._lib, name, None):
+                function()
+
     def report(self) -> list[str]:
         """Return what nothing looked at."""
         return self._lib.sitaf_ros_report().decode(errors="replace").splitlines()

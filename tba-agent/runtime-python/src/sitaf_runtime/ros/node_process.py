@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from sitaf_runtime.errors import CannotRunError
-from sitaf_runtime.ros import domain
+from sitaf_runtime.ros import domain, sanitizer_report
 from sitaf_runtime.ros.case_run import CallFailedError, CaseRun
 from sitaf_runtime.ros.lines import Lines
 from sitaf_runtime.ros.plan import Plan
@@ -83,7 +83,9 @@ class NodeProcess:
             return self._lines.receive()
         except (EOFError, OSError):
             self._in_case = False
-            raise CannotRunError("the process that holds the node has ended") from None
+            cause = sanitizer_report.of(self._pid)
+            ended = "the process that holds the node has ended"
+            raise CannotRunError(f"{ended}: {cause}" if cause else ended) from None
 
 
 class _AbandonedError(BaseException):
@@ -105,6 +107,7 @@ def _serve(plan: Plan, folder: Path, lines: Lines) -> None:
     except CannotRunError as e:
         lines.send({"problem": str(e)})
         return
+    application.save_coverage()
     lines.send({"loaded": True})
     while True:
         try:
@@ -121,7 +124,7 @@ def _serve(plan: Plan, folder: Path, lines: Lines) -> None:
         if child == 0:
             _end_with(lambda case=case: _run(plan, application, lines, case["case"]))
         _, status = os.waitpid(child, 0)
-        lines.send({"ended": _reason(status)})
+        lines.send({"ended": sanitizer_report.of(child) or _reason(status)})
 
 
 def _end_with(action: Callable[[], None]) -> None:
@@ -220,6 +223,7 @@ def _run(plan: Plan, application: Any, lines: Lines, case: dict[str, Any]) -> No
         record["notes"] = run.report()
     except Exception as e:
         record = {"error": _described(e)}
+    application.save_coverage()
     lines.send({"record": record})
 
 
