@@ -136,7 +136,7 @@ final class ProfileReader {
         root.text("world").orElse(null),
         root.texts("models"),
         root.booleanValue("parallel").orElse(false),
-        sanitizers(root, component, harness),
+        sanitizers(root, component, harness, node),
         timing(root, component),
         node == null ? null : node.withServices(services),
         HardwareReader.read(root),
@@ -280,7 +280,7 @@ final class ProfileReader {
   }
 
   private static Set<Sanitizer> sanitizers(
-      YamlMapping root, Component component, Language harness) {
+      YamlMapping root, Component component, Language harness, @Nullable RosNode node) {
     Set<Sanitizer> found = EnumSet.noneOf(Sanitizer.class);
     for (String name : root.texts("sanitize")) {
       Arrays.stream(Sanitizer.values())
@@ -296,6 +296,14 @@ final class ProfileReader {
     if (found.containsAll(Set.of(Sanitizer.ADDRESS, Sanitizer.THREAD))) {
       root.problem(
           "sanitize", "cannot list both address and thread, because a compiler adds only one");
+    }
+    if (node != null && node.isCpp()) {
+      if (found.contains(Sanitizer.THREAD)) {
+        root.problem(
+            "sanitize",
+            "thread finds nothing in a ROS 2 node, whose threads run one at a time; remove it");
+      }
+      return found;
     }
     if (!found.isEmpty() && (component.language() != Language.CPP || harness != Language.CPP)) {
       root.problem("sanitize", "is only allowed for components in C++; remove it");

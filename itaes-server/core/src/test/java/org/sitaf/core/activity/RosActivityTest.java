@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.sitaf.core.activity.ActivityProfile.Sanitizer;
 import org.sitaf.core.activity.ros.RosNode.EndKind;
 import org.sitaf.core.activity.ros.RosNode.Topic;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -209,6 +210,25 @@ class RosActivityTest {
     assertThat(activity.ros().node().topics())
         .extracting(Topic::type)
         .containsExactly("sensor_msgs/Joy", "geometry_msgs/Twist");
+  }
+
+  @Test
+  void aNodeInCppMayBeSanitized() {
+    files.put("src/pilot/src/pilot.cpp", CPP_NODE);
+    files.put("activity.yaml", CPP_PROFILE + "sanitize: [address, undefined]\n");
+
+    assertThat(Activity.read(tree(files), PACKAGES).profile().sanitizers())
+        .containsExactly(Sanitizer.ADDRESS, Sanitizer.UNDEFINED);
+  }
+
+  @Test
+  void refusesSanitizersThatFindNothing() {
+    files.put("activity.yaml", PROFILE + "sanitize: [address]\n");
+    assertThat(problems()).anyMatch(p -> p.contains("sanitize: is only allowed for components"));
+
+    files.put("src/pilot/src/pilot.cpp", CPP_NODE);
+    files.put("activity.yaml", CPP_PROFILE + "sanitize: [thread]\n");
+    assertThat(problems()).anyMatch(p -> p.contains("sanitize: thread finds nothing in a ROS 2"));
   }
 
   @Test

@@ -14,6 +14,7 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.digest.Sha256;
 import org.sitaf.core.harness.TestApplication;
 
@@ -88,6 +89,12 @@ final class CompileKey {
       words.add(word == null ? "-" : "+" + word);
     }
     words.addAll(profile.libraries());
+    profile.sanitizers().forEach(sanitizer -> words.add("sanitize " + sanitizer.id()));
+    RosNode node = profile.ros();
+    if (node != null) {
+      words.add("main " + node.isMain());
+      node.packages().forEach(name -> words.add("package " + name));
+    }
     return words;
   }
 

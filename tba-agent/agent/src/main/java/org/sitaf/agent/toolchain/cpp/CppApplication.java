@@ -12,6 +12,8 @@ import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 import org.sitaf.agent.toolchain.debug.DebugPlace;
 import org.sitaf.agent.toolchain.debug.Debuggee;
+import org.sitaf.agent.toolchain.sanitizer.SanitizerReport;
+import org.sitaf.agent.toolchain.sanitizer.SanitizerSettings;
 import org.sitaf.core.verdict.Coverage;
 
 /**
@@ -40,9 +42,6 @@ record CppApplication(
   /** Memory of gRPC. */
   private static final int OVERHEAD_MIB = 96;
 
-  /** Red zones, the quarantine of freed memory and the shadow of what is used. */
-  private static final int SANITIZER_MIB = 512;
-
   @Override
   public List<String> command(ProcessPlace place) {
     return List.of(folder.resolve(program).toString());
@@ -59,14 +58,7 @@ record CppApplication(
       environment.put("GCOV_PREFIX", coverage.toString());
     }
     if (sanitized) {
-      // Leaks are searched by attaching to the process, which the sandbox refuses.
-      environment.put("ASAN_OPTIONS", "detect_leaks=0:quarantine_size_mb=64");
-      environment.put("UBSAN_OPTIONS", "print_stacktrace=1");
-      // Libraries of the machine are compiled without it, so it cannot see how they synchronise.
-      environment.put(
-          "TSAN_OPTIONS",
-          "halt_on_error=1:ignore_noninstrumented_modules=1:report_thread_leaks=0"
-              + ":report_signal_unsafe=0");
+      environment.putAll(SanitizerSettings.environment(null));
     }
     return environment;
   }
@@ -117,6 +109,6 @@ record CppApplication(
 
   @Override
   public int overheadMiB() {
-    return sanitized ? OVERHEAD_MIB + SANITIZER_MIB : OVERHEAD_MIB;
+    return sanitized ? OVERHEAD_MIB + SanitizerSettings.MEMORY_MIB : OVERHEAD_MIB;
   }
 }

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.ToolResult;
@@ -25,6 +26,7 @@ import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.OneTimeCompilation;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.toolchain.python.environment.Environments;
+import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.digest.Sha256;
@@ -37,6 +39,11 @@ import org.sitaf.core.harness.ros.RosHarness;
 final class CppNodes {
   private static final String BUILD = "sitaf_ros.cpp.build";
   private static final String SOURCES = "component";
+
+  /** Prefix of the activity's paths in what the compiler records. */
+  static final String ACTIVITY = "activity/";
+
+  private static final String NOTES = "coverage";
 
   /** For the runtime, which has no code of users and may meet a busy machine. */
   private static final Duration RUNTIME_AT_MOST = Duration.ofMinutes(20);
@@ -99,11 +106,7 @@ final class CppNodes {
    * @param roots names of the copies of the activity's folders in the output folder
    */
   void compile(
-      Compilation compilation,
-      Path environment,
-      List<Path> prefixes,
-      Map<String, String> roots,
-      RosNode node)
+      Compilation compilation, Path environment, List<Path> prefixes, Map<String, String> roots)
       throws CompilationException, IOException, InterruptedException {
     Path compiler =
         compiler()
@@ -112,13 +115,14 @@ final class CppNodes {
                     new CompilationException(
                         "a ROS 2 node in C++ needs a C++ compiler; ./sitaf doctor --install cpp",
                         List.of()));
+    ActivityProfile profile = compilation.application().activity().profile();
+    RosNode node = Objects.requireNonNull(profile.ros());
     Path harness = compilation.output().resolve("harness");
     Path interfaces = harness.resolve(RosHarness.INTERFACES);
     List<Path> readable = new ArrayList<>(prefixes);
     readable.addAll(List.of(environment, api, harness));
     Path runtime = runtime(compilation, environment, compiler, interfaces, readable);
-    Path library = compilation.output().resolve("harness").resolve(RosHarness.LIBRARY);
-    Path into = Objects.requireNonNull(library.getParent());
+    Path into = folder(compilation);
     Files.createDirectories(into);
     Path scratch = Files.createTempDirectory(compilation.scratch(), "node-");
     Path sources = compilation.output().resolve(SOURCES);
@@ -136,6 +140,15 @@ final class CppNodes {
     if (!node.packages().isEmpty()) {
       arguments.add("--packages");
       arguments.addAll(node.packages());
+    }
+    String inActivity = ACTIVITY + profile.component().sources();
+    arguments.addAll(List.of("--recorded-as", inActivity.replaceAll("/+$", "")));
+    if (compilation.coverage()) {
+      arguments.add("--coverage");
+    }
+    if (!profile.sanitizers().isEmpty()) {
+      arguments.add("--sanitize");
+      profile.sanitizers().forEach(sanitizer -> arguments.add(sanitizer.id()));
     }
     readable.addAll(List.of(runtime, sources));
     ToolResult end =
@@ -166,6 +179,30 @@ final class CppNodes {
       throw new IOException(
           "the build of the node ended with exit code " + end.code() + ": " + end.errors());
     }
+  }
+
+  /** The folder of the compiled node. */
+  private static Path folder(Compilation compilation) {
+    Path library = compilation.output().resolve("harness").resolve(RosHarness.LIBRARY);
+    return Objects.requireNonNull(library.getParent());
+  }
+
+  /**
+   * How a compiled node records its lines; null if gcov cannot read what the compiler writes.
+   *
+   * @param sources folder of the node's sources in the activity, with a trailing slash
+   */
+  static @Nullable Recording recording(Compilation compilation, String sources) {
+    Path notes = folder(compilation).resolve(NOTES);
+    return Files.isDirectory(notes)
+        ? new NodeCoverage(
+            notes, compilation.scratch().resolve("coverage"), compilation.sandbox(), sources)
+        : null;
+  }
+
+  /** How processes run that load a node compiled with sanitizers. */
+  static NodeSanitizing sanitizing(Compilation compilation) throws IOException {
+    return NodeSanitizing.of(folder(compilation));
   }
 
   private static void add(List<String> arguments, String option, Path value) {

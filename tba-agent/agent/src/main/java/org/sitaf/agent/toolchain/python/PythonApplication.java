@@ -19,6 +19,7 @@ import org.sitaf.agent.toolchain.ProcessPlace;
 import org.sitaf.agent.toolchain.debug.DebugPlace;
 import org.sitaf.agent.toolchain.debug.Debuggee;
 import org.sitaf.agent.toolchain.python.environment.Environments;
+import org.sitaf.agent.toolchain.sanitizer.SanitizerSettings;
 import org.sitaf.core.activity.lock.ResolvedPackage;
 import org.sitaf.core.verdict.Coverage;
 
@@ -32,6 +33,7 @@ import org.sitaf.core.verdict.Coverage;
  * @param prefixes folders of Python's own library
  * @param packages those of the environment
  * @param recording null if coverage is off
+ * @param sanitizing null if no node of it is compiled with sanitizers
  */
 record PythonApplication(
     Path environment,
@@ -40,7 +42,8 @@ record PythonApplication(
     String entryPoint,
     List<Path> prefixes,
     List<ResolvedPackage> packages,
-    @Nullable PythonCoverage recording)
+    @Nullable Recording recording,
+    @Nullable NodeSanitizing sanitizing)
     implements CompiledApplication {
 
   /** Memory of the interpreter and gRPC. */
@@ -59,6 +62,9 @@ record PythonApplication(
   @Override
   public List<String> command(ProcessPlace place) {
     List<String> command = new ArrayList<>();
+    if (sanitizing != null) {
+      command.addAll(sanitizing.launcher());
+    }
     command.add(Environments.python(environment).toString());
     command.add("-s");
     command.add("-P");
@@ -87,6 +93,13 @@ record PythonApplication(
             Integer.toString(place.variation()),
             "PYTHONUTF8",
             "1"));
+    Path coverage = place.coverage();
+    if (recording != null && coverage != null) {
+      environment.putAll(recording.environment(coverage));
+    }
+    if (sanitizing != null) {
+      environment.putAll(sanitizing.environment(place));
+    }
     return environment;
   }
 
@@ -140,7 +153,12 @@ record PythonApplication(
   }
 
   @Override
+  public boolean reservesMemory() {
+    return sanitizing != null;
+  }
+
+  @Override
   public int overheadMiB() {
-    return OVERHEAD_MIB;
+    return sanitizing == null ? OVERHEAD_MIB : OVERHEAD_MIB + SanitizerSettings.MEMORY_MIB;
   }
 }

@@ -26,7 +26,8 @@ import org.sitaf.core.verdict.Coverage;
  * @param scratch absolute folder for temporary files
  */
 record PythonCoverage(
-    Path python, List<Path> readable, Path copy, String sources, Path scratch, Sandbox sandbox) {
+    Path python, List<Path> readable, Path copy, String sources, Path scratch, Sandbox sandbox)
+    implements Recording {
   private static final String DATA = "python.coverage";
   private static final Duration TIMEOUT = Duration.ofMinutes(1);
   private static final int MAX_FILES = 2000;
@@ -36,8 +37,8 @@ record PythonCoverage(
     readable = List.copyOf(readable);
   }
 
-  /** Python options that record into a folder, before the module. */
-  List<String> recorder(Path directory) {
+  @Override
+  public List<String> recorder(Path directory) {
     return List.of(
         // When a module cannot be imported, that is the last line of the error stream, and the
         // message of the build.
@@ -54,10 +55,9 @@ record PythonCoverage(
   /**
    * Reads the recorded data. coverage.py runs in the sandbox, because its input comes from
    * untrusted processes.
-   *
-   * @param data holds one folder per process
    */
-  Coverage read(Path data) throws IOException, InterruptedException {
+  @Override
+  public Coverage read(Path data) throws IOException, InterruptedException {
     List<Path> recorded = LeftFiles.in(data, file -> file.endsWith(DATA), MAX_FILES);
     Path work = Files.createTempDirectory(Files.createDirectories(scratch), "coverage");
     List<String> combine = new ArrayList<>(List.of("combine", "--keep", "--quiet"));

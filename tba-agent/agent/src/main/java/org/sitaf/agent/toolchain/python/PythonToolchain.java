@@ -127,7 +127,7 @@ public final class PythonToolchain implements Toolchain {
       // The component's packages would run at the start of the interpreter, and change the compiled
       // runtime, which other users' builds share.
       Path environment = environment(Requirements.OF_NODES, compilation);
-      cppNodes.compile(compilation, environment, interpreter.prefixes(), roots, profile.ros());
+      cppNodes.compile(compilation, environment, interpreter.prefixes(), roots);
     }
 
     // Without the component's packages, whose code would run at the start of the interpreter.
@@ -185,15 +185,19 @@ public final class PythonToolchain implements Toolchain {
         compilation.application().entryPoint(),
         interpreter.prefixes(),
         environments.packages(environment),
-        coverage(compilation, roots, environment));
+        coverage(compilation, roots, environment),
+        profile.sanitizers().isEmpty() ? null : CppNodes.sanitizing(compilation));
   }
 
-  private @Nullable PythonCoverage coverage(
+  private @Nullable Recording coverage(
       Compilation compilation, Map<String, String> roots, Path environment) {
     String sources = compilation.application().activity().profile().component().sources();
-    RosNode node = compilation.application().activity().profile().ros();
-    if (!compilation.coverage() || sources == null || (node != null && node.isCpp())) {
+    if (!compilation.coverage() || sources == null) {
       return null;
+    }
+    RosNode node = compilation.application().activity().profile().ros();
+    if (node != null && node.isCpp()) {
+      return CppNodes.recording(compilation, withTrailingSlash(sources));
     }
     String folder = withTrailingSlash(sources);
     List<Path> readable = new ArrayList<>(interpreter.prefixes());

@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.cpp;
+package org.sitaf.agent.toolchain.sanitizer;
 
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
  * Reads the reports of AddressSanitizer, UBSan and ThreadSanitizer in an error stream, which a
  * component may forge.
  */
-final class SanitizerReport {
+public final class SanitizerReport {
   /** {@code SUMMARY: AddressSanitizer: heap-buffer-overflow FILE:LINE in FUNCTION}. */
   private static final Pattern SUMMARY =
       Pattern.compile(
@@ -36,7 +36,7 @@ final class SanitizerReport {
    * The kind of the first error and its first line in the user's sources, such as {@code
    * heap-buffer-overflow at arm_hold.cpp:38}; empty without a report.
    */
-  static Optional<String> cause(String errors) {
+  public static Optional<String> cause(String errors) {
     String undefined = "";
     String place = "";
     boolean begun = false;

@@ -1,4 +1,4 @@
-package org.sitaf.agent.toolchain.cpp;
+package org.sitaf.agent.toolchain.sanitizer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
