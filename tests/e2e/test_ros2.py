@@ -62,7 +62,14 @@ def activity(folder, package, component, topics="{}", further="", text=""):
     return folder
 
 
-@pytest.mark.parametrize("example", ["velocity-mux-ros", pytest.param("wall-stop-ros-cpp", marks=cpp), pytest.param("wall-stop-ros", marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    "example",
+    [
+        "velocity-mux-ros",
+        pytest.param("wall-stop-ros-cpp", marks=cpp),
+        pytest.param("wall-stop-ros", marks=pytest.mark.long),
+    ],
+)
 def test_an_example_passes_with_the_same_result_each_time(sitaf, tmp_path, example):
     first, once = results(sitaf, f"examples/{example}", tmp_path / "once")
     again, twice = results(sitaf, f"examples/{example}", tmp_path / "twice")
@@ -84,6 +91,30 @@ def test_a_faulty_node_fails(sitaf, example, message):
     assert run.returncode == 1, run.stdout + run.stderr
     assert message in run.stdout
     assert " 0 ERROR" in run.stdout
+
+
+@cpp
+def test_a_sanitizer_finds_what_no_result_shows(sitaf, tmp_path):
+    passing = sitaf("run", "examples/mean-range-ros-cpp")
+    assert passing.returncode == 0, passing.stdout + passing.stderr
+    assert "Mean: 24 cases, 24 PASS" in passing.stdout
+    assert "coverage of the component: 100.0 % of statements" in passing.stdout
+    faulty = shutil.copytree(ROOT / "examples/mean-range-ros-cpp-faulty", tmp_path / "faulty")
+    source = faulty / "src/mean_range/src/mean_range.cpp"
+    line = next(i for i, text in enumerate(source.read_text().splitlines(), 1) if "ranges[i]" in text)
+    run = sitaf("run", faulty)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert f"ERROR in 24 cases: heap-buffer-overflow at mean_range.cpp:{line}" in run.stdout
+    # The same sources are compiled again, with the other check.
+    profile = faulty / "activity.yaml"
+    profile.write_text(profile.read_text().replace("[address, undefined]", "[undefined]"))
+    source.write_text(source.read_text().replace("std::size_t count = 0;", "int count = 2147483647;"))
+    run = sitaf("run", faulty)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert (
+        "signed integer overflow: 2147483647 + 1 cannot be represented in type 'int' at mean_range.cpp:" in run.stdout
+    )
+    assert "heap-buffer-overflow" not in run.stdout
 
 
 def test_a_node_holds_no_channel_of_results(sitaf, tmp_path):
@@ -118,7 +149,8 @@ def test_a_package_of_a_component_does_not_run_when_a_node_is_compiled(sitaf, tm
     info = "evil-1.0.dist-info/"
     with zipfile.ZipFile(activity / "evil-1.0-py3-none-any.whl", "w") as wheel:
         wheel.writestr(
-            "evil.pth", "import os, sys; 'sitaf_ros.cpp.build' in sys.orig_argv and os.write(2, b'BREACH') and os._exit(9)\n"
+            "evil.pth",
+            "import os, sys; 'sitaf_ros.cpp.build' in sys.orig_argv and os.write(2, b'BREACH') and os._exit(9)\n",
         )
         wheel.writestr(info + "METADATA", "Metadata-Version: 2.1\nName: evil\nVersion: 1.0\n")
         wheel.writestr(info + "WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
