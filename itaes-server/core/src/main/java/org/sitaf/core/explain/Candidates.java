@@ -117,13 +117,22 @@ final class Candidates {
       if ((required & ~agreement) != 0) {
         continue;
       }
-      Exclusion added = new Exclusion(agreement, required);
-      if (kept.stream().noneMatch(k -> k.covers(added))) {
+      if (!isCovered(kept, agreement, required)) {
+        Exclusion added = new Exclusion(agreement, required);
         kept.removeIf(added::covers);
         kept.add(added);
       }
     }
     return kept;
+  }
+
+  private static boolean isCovered(List<Exclusion> kept, long agreement, long required) {
+    for (Exclusion exclusion : kept) {
+      if (exclusion.covers(agreement, required)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**
@@ -134,7 +143,11 @@ final class Candidates {
    */
   private record Exclusion(long agreement, long required) {
     boolean covers(Exclusion other) {
-      return required == other.required && (other.agreement & ~agreement) == 0;
+      return covers(other.agreement, other.required);
+    }
+
+    boolean covers(long others, long requiredOfOthers) {
+      return required == requiredOfOthers && (others & ~agreement) == 0;
     }
 
     boolean excludes(long mask) {

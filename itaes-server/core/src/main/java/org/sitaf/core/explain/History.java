@@ -3,8 +3,11 @@ package org.sitaf.core.explain;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.sitaf.core.combine.Interruption;
@@ -20,6 +23,8 @@ final class History {
   // For lookups: a search checks thousands of candidates, and a suite can have 100,000 rows.
   private final Set<IntBuffer> passed = new HashSet<>();
   private final Set<IntBuffer> failed = new HashSet<>();
+  // How many of the passing rows, from the first one, are known not to refute a tuple.
+  private final Map<Tuple, Integer> withoutTuple = new HashMap<>();
 
   private final List<Predicate<int[]>> relations = new ArrayList<>();
   private int executions;
@@ -55,7 +60,7 @@ final class History {
 
   /** The passing rows without an invalid value. */
   List<int[]> passingValid() {
-    return List.copyOf(passingValid);
+    return Collections.unmodifiableList(passingValid);
   }
 
   /** Whether a row has an invalid value that another one does not have. */
@@ -112,8 +117,14 @@ final class History {
 
   /** Whether a case with the tuple passed. */
   boolean isRefuted(Tuple tuple) {
-    return passing.stream()
-        .anyMatch(p -> tuple.isIn(p) && (combinations.invalidOf(p) & ~tuple.mask()) == 0);
+    for (int i = withoutTuple.getOrDefault(tuple, 0); i < passing.size(); i++) {
+      int[] row = passing.get(i);
+      if (tuple.isIn(row) && (combinations.invalidOf(row) & ~tuple.mask()) == 0) {
+        return true;
+      }
+    }
+    withoutTuple.put(tuple, passing.size());
+    return false;
   }
 
   /** Adds a relation that explains the rows that fulfil it. */

@@ -51,10 +51,14 @@ final class RowChoice {
             within = next;
           }
         }
+        // The risk is asked last, because it looks at all rows that passed.
+        if (within <= 0.01 || within >= 0.99 || !isUsable(row, failed)) {
+          continue;
+        }
         double risk = risk(row, failed);
         double fails = within + (1 - within) * risk;
         double score = Math.abs(fails - 0.5) + risk;
-        if (within > 0.01 && within < 0.99 && score < bestScore && isUsable(row, failed)) {
+        if (score < bestScore) {
           best = row;
           bestScore = score;
         }
@@ -81,8 +85,12 @@ final class RowChoice {
         }
       }
       long more = History.agreement(row, failed) & free & ~mask;
-      double score = 10 * Long.bitCount(more) + risk(row, failed);
-      if (score < bestScore && (avoidCauses ? isUsable(row, failed) : isNew(row, failed))) {
+      int further = 10 * Long.bitCount(more);
+      if (further >= bestScore || !(avoidCauses ? isUsable(row, failed) : isNew(row, failed))) {
+        continue;
+      }
+      double score = further + risk(row, failed);
+      if (score < bestScore) {
         best = row;
         bestScore = score;
         if (more == 0 && attempt > 40) {
