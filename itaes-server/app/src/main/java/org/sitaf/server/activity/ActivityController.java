@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.server.error.RequestException;
@@ -64,12 +65,19 @@ class ActivityController {
                   "a part of the name, the description or the component's class; case is ignored")
           @RequestParam(required = false)
           @Nullable String search,
+      @Parameter(description = "a tag of the activities; of several, they have all")
+          @RequestParam(required = false)
+          @Nullable Set<String> tag,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size,
       @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
     return Listing.of(
         activities.list(
-            name, search, Listing.request(page, size, SORTING.order(sort)), ActivityView::of),
+            name,
+            search,
+            tag == null ? Set.of() : tag,
+            Listing.request(page, size, SORTING.order(sort)),
+            ActivityView::of),
         view -> view);
   }
 

@@ -21,7 +21,8 @@ record ActivityView(
     @Schema(description = "increases with each change; for If-Match") long version,
     List<FileView> files,
     List<ModelView> models,
-    List<InterfaceView> interfaces) {
+    List<InterfaceView> interfaces,
+    @Schema(description = "in ascending order") List<String> tags) {
 
   @Schema(name = "ActivityFile")
   record FileView(String path, @Schema(description = "in bytes") long size, String sha256) {}
@@ -56,7 +57,8 @@ record ActivityView(
         activity.models().stream()
             .map(m -> new ModelView(m.name(), m.path(), m.interfaceName(), m.method()))
             .toList(),
-        interfaces(activity.methods()));
+        interfaces(activity.methods()),
+        activity.tags());
   }
 
   private static List<InterfaceView> interfaces(List<StoredMethod> methods) {

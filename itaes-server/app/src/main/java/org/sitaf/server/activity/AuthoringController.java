@@ -7,6 +7,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
+import java.util.List;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.beginning.SequenceProposal;
 import org.sitaf.core.description.InterfaceDescription;
@@ -20,6 +21,7 @@ import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PatchMapping;
 import org.springframework.web.bind.annotation.PathVariable;
 import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
 import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestHeader;
 import org.springframework.web.bind.annotation.RequestMapping;
@@ -87,6 +89,22 @@ class AuthoringController {
       throw RequestException.malformed("changes must be given.");
     }
     activities.change(id, changes, Requests.expected(ifMatch));
+    return activities.inspect(id, ActivityView::of);
+  }
+
+  @GetMapping("/tags")
+  @Operation(operationId = "listTags", summary = "Lists the tags of all activities, by name")
+  List<Tags.Use> tags() {
+    return activities.tags();
+  }
+
+  @PutMapping("/activities/{id}/tags")
+  @Operation(
+      operationId = "replaceTags",
+      summary = "Replaces the tags of an activity",
+      description = "Tags do not belong to the files, so the version of the activity stays.")
+  ActivityView tag(@PathVariable String id, @RequestBody Tags tags) {
+    activities.tag(id, tags.requireValid());
     return activities.inspect(id, ActivityView::of);
   }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.UUID;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -94,16 +95,22 @@ public class StoredActivities {
     return required(transaction.execute(status -> view.apply(find(id))));
   }
 
-  /** Returns a page of the activities; a name and a searched text of null mean all. */
+  /** Returns a page of the activities with all tags; a name and a text of null mean all. */
   <T> Page<T> list(
       @Nullable String name,
       @Nullable String search,
+      Set<String> tags,
       Pageable page,
       Function<StoredActivity, T> view) {
-    return required(transaction.execute(status -> page(name, search, page).map(view)));
+    return required(transaction.execute(status -> page(name, search, tags, page).map(view)));
   }
 
-  private Page<StoredActivity> page(@Nullable String name, @Nullable String search, Pageable page) {
+  private Page<StoredActivity> page(
+      @Nullable String name, @Nullable String search, Set<String> tags, Pageable page) {
+    if (!tags.isEmpty()) {
+      String text = search == null ? "" : search.toLowerCase(Locale.ROOT);
+      return activities.findTagged(name == null ? "" : name, text, tags, tags.size(), page);
+    }
     if (name != null) {
       return activities.findByName(name, page);
     }
@@ -240,6 +247,21 @@ public class StoredActivities {
           stored.replace(activity, files, now());
           activities.saveAndFlush(stored);
         });
+  }
+
+  /** The tags of all activities in ascending order. */
+  List<Tags.Use> tags() {
+    return activities.findTags();
+  }
+
+  /** Replaces the tags of an activity. Its version stays, because the files do not change. */
+  void tag(String id, Set<String> tags) {
+    transaction.executeWithoutResult(
+        status ->
+            activities
+                .findForUpdate(id)
+                .orElseThrow(() -> RequestException.notFound("activity", id))
+                .tag(tags));
   }
 
   /** Replaces the files of an activity. */

@@ -1,6 +1,7 @@
 package org.sitaf.server.activity;
 
 import jakarta.persistence.CollectionTable;
+import jakarta.persistence.Column;
 import jakarta.persistence.ElementCollection;
 import jakarta.persistence.Entity;
 import jakarta.persistence.Id;
@@ -15,6 +16,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.hibernate.annotations.OptimisticLock;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.description.InterfaceDescription;
@@ -59,6 +61,13 @@ class StoredActivity {
   @OrderColumn(name = "position")
   private List<StoredMethod> methods = new ArrayList<>();
 
+  /** Not part of the version, which is that of the files. */
+  @ElementCollection
+  @CollectionTable(name = "activity_tag", joinColumns = @JoinColumn(name = "activity_id"))
+  @Column(name = "name")
+  @OptimisticLock(excluded = true)
+  private Set<String> tags = new LinkedHashSet<>();
+
   /** For the persistence provider. */
   @SuppressWarnings("NullAway")
   protected StoredActivity() {
@@ -101,6 +110,12 @@ class StoredActivity {
     methods.clear();
     addMethods(activity.provided(), false);
     addMethods(activity.required(), true);
+  }
+
+  /** Replaces the tags. */
+  void tag(Set<String> names) {
+    tags.retainAll(names);
+    tags.addAll(names);
   }
 
   /** Reports texts that are too long for their columns. */
@@ -188,5 +203,10 @@ class StoredActivity {
 
   List<StoredMethod> methods() {
     return List.copyOf(methods);
+  }
+
+  /** In ascending order. */
+  List<String> tags() {
+    return tags.stream().sorted().toList();
   }
 }

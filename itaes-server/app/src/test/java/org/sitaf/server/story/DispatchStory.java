@@ -17,11 +17,10 @@ import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.FakeAgent;
-import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
 /** Dispatching of builds to agents, and builds with shards. */
-abstract class DispatchStory extends ServerTest {
+abstract class DispatchStory extends TagStory {
   protected String activityId = "";
   protected String suiteId = "";
 
