@@ -48,6 +48,43 @@ describe('the activities', () => {
     expect(await screen.findByRole('link', { name: 'no-1' })).toBeVisible();
   });
 
+  test('are filtered by a tag, with the tag in the address', async () => {
+    server.activities.push(
+      activity('a1', { name: 'shoulder', tags: ['arm/left'] }),
+      activity('a2', { name: 'wheels', tags: ['base'] }),
+    );
+    const { user, history } = openPortal(server, '/activities');
+    expect(await screen.findByRole('link', { name: 'wheels' })).toBeVisible();
+    await user.selectOptions(await screen.findByRole('combobox', { name: 'Tag' }), 'arm/left (1)');
+    await waitFor(() => {
+      expect(screen.queryByRole('link', { name: 'wheels' })).toBeNull();
+    });
+    expect(history.location.search).toBe('?tag=arm%2Fleft');
+    expect(screen.getByRole('link', { name: 'shoulder' })).toBeVisible();
+    await user.selectOptions(screen.getByRole('combobox', { name: 'Tag' }), 'All tags');
+    await user.click(await screen.findByRole('link', { name: '#base' }));
+    await waitFor(() => {
+      expect(history.location.search).toBe('?tag=base');
+    });
+  });
+
+  test('get tags on their page, and keep what was typed if the server refuses', async () => {
+    server.activities.push(activity('a1'));
+    const { user } = openPortal(server, '/activities/a1');
+    await user.click(await screen.findByRole('button', { name: 'Add tags' }));
+    const input = screen.getByRole('combobox', { name: 'Tags' });
+    await user.type(input, 'two words{Enter}');
+    await user.click(screen.getByRole('button', { name: 'Save tags' }));
+    expect(await screen.findByText(/must have 1 to 50 letters/)).toBeVisible();
+    await user.type(input, '{Backspace}nightly{Enter}');
+    await user.click(screen.getByRole('button', { name: 'Save tags' }));
+    expect(await screen.findByRole('link', { name: '#nightly' })).toHaveAttribute(
+      'href',
+      '/activities?tag=nightly',
+    );
+    expect(server.activities[0]?.tags).toEqual(['nightly']);
+  });
+
   test('are marked as favourites, which the first page lists', async () => {
     server.activities.push(activity('a1'));
     const { user } = openPortal(server, '/activities');

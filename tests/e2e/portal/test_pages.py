@@ -64,6 +64,28 @@ def test_a_zip_file_is_uploaded_and_a_bad_one_is_refused(page):
     page.get_by_role("heading", name="dropped", level=1).wait_for()
 
 
+def test_an_activity_gets_tags_and_is_found_by_them(page):
+    page.goto(home_of(page) + "/activities")
+    folder = EXAMPLES / "gripper"
+    files = {str(f.relative_to(folder)): f.read_text() for f in folder.rglob("*") if f.is_file()}
+    drop(page.get_by_role("group", name="Upload an activity"), {"gripper.zip": zipped(files)})
+    page.get_by_role("status").get_by_role("link", name="gripper").click()
+    page.get_by_role("button", name="Add tags").click()
+    tags = page.get_by_role("combobox", name="Tags")
+    for tag in ("arm/hand", "nightly"):
+        tags.fill(tag)
+        tags.press("Enter")
+    page.get_by_role("button", name="Save tags").click()
+    page.get_by_role("link", name="#nightly").click()
+    page.wait_for_url("**/activities?tag=nightly")
+    rows = page.get_by_role("table", name="Activities").locator("tbody tr")
+    expect(rows).to_have_count(1)
+    expect(rows).to_contain_text("gripper")
+    page.get_by_role("combobox", name="Tag").select_option("arm/hand")
+    page.wait_for_url("**/activities?tag=arm%2Fhand")
+    expect(rows).to_contain_text("gripper")
+
+
 def test_a_schedule_is_created_paused_resumed_and_run(page):
     page.goto(home_of(page) + "/schedules")
     page.get_by_label("Calendar name").fill("weekend")

@@ -12,6 +12,7 @@ import {
   buildsSearch,
   caseHistorySearch,
   compareSearch,
+  activitiesSearch,
   foundSearch,
   listSearch,
   newScheduleSearch,
@@ -38,7 +39,7 @@ const home = createRoute({
 const activities = createRoute({
   getParentRoute,
   path: '/activities',
-  validateSearch: foundSearch,
+  validateSearch: activitiesSearch,
   component: lazyRouteComponent(() => import('./pages/ActivitiesPage'), 'ActivitiesPage'),
 });
 

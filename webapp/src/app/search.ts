@@ -15,6 +15,11 @@ export interface FoundSearch extends ListSearch {
   search?: string;
 }
 
+export interface ActivitiesSearch extends FoundSearch {
+  /** A tag of the activities. */
+  tag?: string;
+}
+
 export interface BuildsSearch extends FoundSearch {
   state?: BuildState;
 }
@@ -116,6 +121,10 @@ export function listSearch(raw: Raw): ListSearch {
 
 export function foundSearch(raw: Raw): FoundSearch {
   return { ...listSearch(raw), ...textIn(raw, 'search') };
+}
+
+export function activitiesSearch(raw: Raw): ActivitiesSearch {
+  return { ...foundSearch(raw), ...textIn(raw, 'tag') };
 }
 
 export function buildsSearch(raw: Raw): BuildsSearch {

@@ -56,6 +56,7 @@ const NOUNS = [
   'agents',
   'builds',
   'cancel',
+  'tags',
   'build',
   'calendars',
   'case-history',
@@ -251,10 +252,30 @@ export class FakeServer {
     'GET agents': () => ({ status: 200, json: this.agents }),
     'GET activities': ({ query }) => {
       const search = query.get('search') ?? '';
-      const shown = this.activities.filter(({ name }) => name.includes(search));
+      const wanted = query.getAll('tag');
+      const shown = this.activities.filter(
+        ({ name, tags }) => name.includes(search) && wanted.every((tag) => tags.includes(tag)),
+      );
       return { status: 200, json: pageOf(shown, query) };
     },
     'GET activities *': ({ path }) => found(this.activities.find(({ id }) => id === path[1])),
+    'GET tags': () => ({
+      status: 200,
+      json: [...new Set(this.activities.flatMap(({ tags }) => tags))].sort().map((name) => ({
+        name,
+        activities: this.activities.filter(({ tags }) => tags.includes(name)).length,
+      })),
+    }),
+    'PUT activities * tags': ({ path, body }) => {
+      const changed = this.activities.find(({ id }) => id === path[1]);
+      const { tags } = JSON.parse(body.toString()) as { tags: string[] };
+      if (tags.includes('two words')) {
+        const detail = "tags: 'two words' must have 1 to 50 letters.";
+        return { status: 400, problem: true, json: { title: 'Malformed', detail, status: 400 } };
+      }
+      if (changed) changed.tags = [...tags].sort();
+      return found(changed);
+    },
     'POST activities': ({ body, request }) => this.upload(body, request),
     'POST activities * models * suites': ({ path, body }) => {
       this.suiteOptions.push(JSON.parse(body.toString()));

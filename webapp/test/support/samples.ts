@@ -49,6 +49,7 @@ export function activity(id: string, changes: Partial<Activity> = {}): Activity 
     interfaces: [
       { name: 'InfraredSensorService', usage: 'provided', methods: ['GetInfraredData'] },
     ],
+    tags: [],
     ...changes,
   };
 }

@@ -1,16 +1,21 @@
 import { Group, Stack, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import { BuildNow, useStartBuild } from '@/app/building';
-import { fromIndex, toIndex, withoutAbsent, type FoundSearch } from '@/app/search';
-import { ActivityList, UploadActivity } from '@/features/activities';
+import { fromIndex, toIndex, withoutAbsent, type ActivitiesSearch } from '@/app/search';
+import { ActivityList, TagFilter, UploadActivity } from '@/features/activities';
 import { ButtonLink, ProblemAlert, SearchField } from '@/shared/ui';
 
 const route = getRouteApi('/activities');
 
 /** All activities, with the two ways to create one. */
 export function ActivitiesPage() {
-  const { page, search } = route.useSearch();
+  const { page, search, tag } = route.useSearch();
   const navigate = route.useNavigate();
+  const show = (wanted: {
+    page?: number | undefined;
+    search?: string | undefined;
+    tag?: string | undefined;
+  }) => void navigate({ search: withoutAbsent<ActivitiesSearch>(wanted), resetScroll: false });
   const start = useStartBuild();
   return (
     <Stack gap="md">
@@ -23,9 +28,15 @@ export function ActivitiesPage() {
           <SearchField
             label="Search activities"
             value={search}
-            onSearch={(text) =>
-              void navigate({ search: withoutAbsent<FoundSearch>({ search: text }) })
-            }
+            onSearch={(text) => {
+              show({ search: text, tag });
+            }}
+          />
+          <TagFilter
+            tag={tag}
+            onTag={(chosen) => {
+              show({ search, tag: chosen });
+            }}
           />
           <ButtonLink to="/activities/new">New activity</ButtonLink>
         </Group>
@@ -41,12 +52,10 @@ export function ActivitiesPage() {
       <ActivityList
         page={toIndex(page)}
         search={search}
-        onPage={(index) =>
-          void navigate({
-            search: withoutAbsent<FoundSearch>({ page: fromIndex(index), search }),
-            resetScroll: false,
-          })
-        }
+        tag={tag}
+        onPage={(index) => {
+          show({ page: fromIndex(index), search, tag });
+        }}
         modelAction={(activity, model) => (
           <BuildNow activity={activity} model={model} start={start} />
         )}

@@ -10,7 +10,13 @@ import {
   type ActivitySearch,
   type ActivityTab,
 } from '@/app/search';
-import { ActivityFiles, FavouriteButton, InterfaceTree, useActivity } from '@/features/activities';
+import {
+  ActivityFiles,
+  ActivityTags,
+  FavouriteButton,
+  InterfaceTree,
+  useActivity,
+} from '@/features/activities';
 import { BuildList } from '@/features/builds';
 import { GitTab } from '@/features/git';
 import { ResultHistory } from '@/features/history';
@@ -119,6 +125,7 @@ export function ActivityPage() {
         <Text size="sm" c="dimmed">
           <UserText>{[data.language, data.componentClass].filter(Boolean).join(' · ')}</UserText>
         </Text>
+        <ActivityTags activity={data} mayChange={mayBuild} />
       </div>
       <PageTabs
         label="Activity"

@@ -5,24 +5,27 @@ import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } f
 import { Examples } from './Examples';
 import { FavouriteButton } from './FavouriteButton';
 import { ACTIVITIES_PER_PAGE, useActivities } from './queries';
+import { TagLinks } from './Tags';
 
 interface ActivityListProps {
   page: number;
   onPage: (page: number) => void;
   /** A part of the names; without it, all activities are listed. */
   search?: string | undefined;
+  /** A tag of the activities. */
+  tag?: string | undefined;
   /** The actions on a test model, provided by the app. */
   modelAction: (activity: Activity, model: ActivityModel) => ReactNode;
 }
 
-export function ActivityList({ page, onPage, search, modelAction }: ActivityListProps) {
-  const activities = useActivities(page, search);
+export function ActivityList({ page, onPage, search, tag, modelAction }: ActivityListProps) {
+  const activities = useActivities(page, search, tag);
   if (activities.isPending) return <Loading what="activities" />;
   if (!activities.data) {
     return <ProblemAlert title="The activities could not be read" error={activities.error} />;
   }
   const { items, total } = activities.data;
-  if (total === 0 && search) return <Text c="dimmed">No activity matches.</Text>;
+  if (total === 0 && (search ?? tag)) return <Text c="dimmed">No activity matches.</Text>;
   if (total === 0) {
     return (
       <Stack gap="xs">
@@ -85,6 +88,7 @@ function ActivityRow({
             <UserText>{activity.description}</UserText>
           </Text>
         )}
+        {activity.tags.length > 0 && <TagLinks tags={activity.tags} />}
       </Table.Td>
       <Table.Td>
         <UserText>{activity.language}</UserText>

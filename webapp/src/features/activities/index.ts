@@ -4,6 +4,7 @@ export { FavouriteList } from './FavouriteList';
 export { ActivityFiles } from './ActivityFiles';
 export { InterfaceTree } from './InterfaceTree';
 export { ActivityList } from './ActivityList';
+export { ActivityTags, TagFilter } from './Tags';
 export { UploadActivity } from './UploadActivity';
 export {
   useActivity,

@@ -6,19 +6,46 @@ const ACTIVITIES = ['activities'] as const;
 /** Page size of the list. */
 export const ACTIVITIES_PER_PAGE = 20;
 
-/** A page of the activities, of all or of those that contain a text; pages count from 0. */
-export function useActivities(page: number, search?: string) {
+/** A page of the activities, of all or of those with a text and a tag; pages count from 0. */
+export function useActivities(page: number, search?: string, tag?: string) {
   const api = useApi();
   return useQuery({
-    queryKey: [...ACTIVITIES, 'page', page, search],
+    queryKey: [...ACTIVITIES, 'page', page, search, tag],
     queryFn: ({ signal }) =>
       dataOf(
         api.GET('/api/v1/activities', {
-          params: { query: { page, size: ACTIVITIES_PER_PAGE, ...(search && { search }) } },
+          params: {
+            query: {
+              page,
+              size: ACTIVITIES_PER_PAGE,
+              ...(search && { search }),
+              ...(tag && { tag: [tag] }),
+            },
+          },
           signal,
         }),
       ),
     placeholderData: keepPreviousData,
+  });
+}
+
+/** The tags of all activities, with the number of activities of each. */
+export function useTags() {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...ACTIVITIES, 'tags'],
+    queryFn: ({ signal }) => dataOf(api.GET('/api/v1/tags', { signal })),
+  });
+}
+
+/** Replaces the tags of an activity. */
+export function useReplaceTags(id: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (tags: string[]) =>
+      dataOf(api.PUT('/api/v1/activities/{id}/tags', { params: { path: { id } }, body: { tags } })),
+    onSuccess: () => cache.invalidateQueries({ queryKey: ACTIVITIES }),
   });
 }
 
