@@ -19,7 +19,7 @@ SMALL = 2048
 VALUES = 317  # its square is the first one above 100,000
 ACTIVITIES, BUILDS, AGENTS = 1_000, 100_000, 500
 PAGE_S = 1.5
-CAUSES_S = 120
+CAUSES_S = 600
 PATIENCE_MS = 15_000
 
 FILES = {
@@ -67,15 +67,16 @@ SCROLL = """async (label) => {
 
 
 def prepare(session):
-    """The large result with its causes, and the small one that is copied."""
+    """The large result, the small one that is copied, and after how many seconds the causes were found, or None."""
     large = session.build(FILES, "Add")
     small = session.build(example("ir-sensor-faulty"), "GetInfraredData")
     explanation = f"/api/v1/builds/{large.build}/explanation"
     requested = session.post(explanation)["id"]
-    explained = session.wait(explanation, CAUSES_S)
-    if not explained:
-        session.post(f"/api/v1/builds/{requested}/cancel", "")
-    return large, small, explained
+    began = time.perf_counter()
+    if session.wait(explanation, CAUSES_S):
+        return large, small, time.perf_counter() - began
+    session.post(f"/api/v1/builds/{requested}/cancel", "")
+    return large, small, None
 
 
 def multiply(data, build):
@@ -147,7 +148,7 @@ def pages(large, small):
     }
 
 
-def measure(session, large, small, explained):
+def measure(session, large, small, causes_s):
     page, root = session.page, session.root
     kilobytes, plain = first_load(session)
     total = session.get("/api/v1/builds?size=1")["total"]
@@ -156,9 +157,9 @@ def measure(session, large, small, explained):
         ("script of the first page, compressed", kilobytes, 400, "below", "kB"),
         ("larger scripts that came uncompressed", plain, 1, "below", ""),
     ]
-    rows.append((f"causes of 100,000 found within {CAUSES_S} s", explained, 1, "at least", ""))
+    rows.append(("causes of 100,000 found", causes_s or float("inf"), CAUSES_S, "below", "s"))
     for name, (path, selector) in pages(large, small).items():
-        if name.startswith("causes") and not explained:
+        if name.startswith("causes") and causes_s is None:
             continue
         rows.append((name, seconds_until(page, root + path, selector), PAGE_S, "below", "s"))
     page.goto(f"{root}/suites/{large.suite}")
@@ -174,10 +175,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         data = Path(folder) / "data"
         with signed_in(data) as session:
-            large, small, explained = prepare(session)
+            large, small, causes_s = prepare(session)
         multiply(data, small.build)
         with signed_in(data) as session:
-            rows = measure(session, large, small, explained)
+            rows = measure(session, large, small, causes_s)
     short = []
     for name, value, target, sense, unit in rows:
         held = value >= target if sense == "at least" else value < target
