@@ -8,6 +8,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sitaf.core.combine.Interruption;
 
 /** Finds the sources of a package that one of its nodes uses, so that other nodes say nothing. */
 final class UsedSources {
@@ -32,6 +33,7 @@ final class UsedSources {
     Deque<String> open = new ArrayDeque<>(List.of(entry.file()));
     while (!open.isEmpty()) {
       String path = open.remove();
+      Interruption.check();
       if (sources.used.add(path)) {
         open.addAll(given.isCpp() ? sources.included(path) : sources.imported(path));
       }
@@ -86,6 +88,7 @@ final class UsedSources {
     SortedSet<String> found = new TreeSet<>();
     Matcher include = INCLUDE.matcher(given.text(path));
     while (include.find()) {
+      Interruption.check();
       String named = include.group(1).replaceFirst("^(?:\\.\\.?/)+", "");
       for (String source : given.sources()) {
         if (source.equals(named) || source.endsWith("/" + named)) {
