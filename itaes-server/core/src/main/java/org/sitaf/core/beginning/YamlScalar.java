@@ -4,7 +4,7 @@ import java.util.regex.Pattern;
 
 /** Writes text into {@code activity.yaml} so that it remains one value. */
 public final class YamlScalar {
-  private static final Pattern PLAIN = Pattern.compile("\\w[\\w./-]*(?:::?\\w[\\w./-]*)*");
+  private static final Pattern PLAIN = Pattern.compile("/?\\w[\\w./-]*(?:::?\\w[\\w./-]*)*");
 
   private YamlScalar() {}
 

@@ -86,7 +86,7 @@ public record NewNodeActivity(
     needed(sources.packages())
         .forEach(path -> all.put("src/" + path, siblings.content(path).orElseThrow()));
     String profile = profile(chosen, sources, texts, tree(all), notes);
-    all.put("activity.yaml", bytes(profile.formatted("[]")));
+    all.put("activity.yaml", bytes(profile + end(List.of())));
     Activity withoutModels = Activity.read(tree(all), installed);
     List<String> models = new ArrayList<>();
     models(withoutModels)
@@ -95,7 +95,7 @@ public record NewNodeActivity(
               models.add(model + ".xml");
               all.put(model + ".xml", bytes(text));
             });
-    all.put("activity.yaml", bytes(profile.formatted("[" + String.join(", ", models) + "]")));
+    all.put("activity.yaml", bytes(profile + end(models)));
     FileTree files = tree(all);
     for (TestModel model : Activity.read(files, installed).models()) {
       var unused = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
@@ -176,9 +176,12 @@ public record NewNodeActivity(
     text.append("required: ")
         .append(shown(services(sources, Kind.CLIENT, files, notes)))
         .append('\n');
-    text.append("models: %s\n");
-    text.append("limits: {case_wall_s: 30}\n");
     return text.toString();
+  }
+
+  /** The end of {@code activity.yaml}, which names the models. */
+  private static String end(List<String> models) {
+    return "models: [" + String.join(", ", models) + "]\nlimits: {case_wall_s: 30}\n";
   }
 
   private static Set<String> parameters(List<String> texts) {
@@ -271,7 +274,8 @@ public record NewNodeActivity(
                     endpoint.type(),
                     kind == Kind.SERVER ? "provided" : "required"));
       } else {
-        entries.add("{type: " + candidates.get(0) + ", name: " + endpoint.name() + "}");
+        entries.add(
+            "{type: " + candidates.get(0) + ", name: " + YamlScalar.of(endpoint.name()) + "}");
       }
     }
     return entries;

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.beginning.Proposal;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.sequence.SequenceCall;
 
@@ -254,6 +255,24 @@ class NewNodeActivityTest {
           .extracting(SequenceCall::name)
           .containsExactly("Configure", "Activate", "Deactivate", "Cleanup", "State", "target");
     }
+  }
+
+  /** Names in sources are any text. */
+  @Test
+  void namesRemainSingleValuesOfTheProfile() {
+    String node = NODE.replace("'enable'", "\"50%d}, world: {x\"");
+    FileTree named = propose(python(Map.of("follower/node.py", node)), null).files();
+    assertThat(named.text("activity.yaml").orElseThrow())
+        .contains("SetBool.srv, name: '/50%d}, world: {x'}\n");
+    assertThat(Activity.read(named, INSTALLED).world()).isNull();
+    FileTree percent = python(Map.of("follower/%n.py", NODE, "follower/node.py", ""));
+    assertThatThrownBy(() -> propose(percent, null))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("'follower.%n:Follower' is not a class");
+    FileTree deep = python(Map.of("a/".repeat(48) + "notes.txt", ""));
+    assertThatThrownBy(() -> propose(deep, null))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("nested more than 50 folders deep");
   }
 
   @Test
