@@ -60,10 +60,12 @@ public record InterfaceChoice(String path, FileTree files, List<InterfaceDescrip
       throw InvalidInputException.of(
           path, "is neither a given file nor an installed interface of ROS 2");
     }
-    if (InterfacePlace.isAtTopOfPackage(path) && given.contains(MANIFEST)) {
-      Optional<String> name = NodePackage.nameIn(given.text(MANIFEST).orElseThrow());
-      if (name.isPresent()) {
-        return of(name.get() + "/" + path, within(name.get(), given), installed);
+    Optional<String> folder = InterfacePlace.packageOf(path);
+    if (folder.isPresent()) {
+      Optional<String> renamed = renamed(folder.get(), given);
+      if (renamed.isPresent()) {
+        FileTree moved = moved(folder.get(), renamed.get(), given);
+        return of(moved(path, folder.get(), renamed.get()), moved, installed);
       }
     }
     InterfacePlace place = InterfacePlace.of(path);
@@ -71,13 +73,35 @@ public record InterfaceChoice(String path, FileTree files, List<InterfaceDescrip
     return read(place.path(), InterfaceClosure.of(place.path(), near, installed));
   }
 
-  /** The interface files of a package below the name of the package. */
-  private static FileTree within(String packageName, FileTree given) {
+  /** The folder of a package as its manifest names it, if its folder has another name or none. */
+  private static Optional<String> renamed(String folder, FileTree given) {
+    String above = folder.substring(0, folder.lastIndexOf('/') + 1);
+    return given
+        .text(folder.isEmpty() ? MANIFEST : folder + "/" + MANIFEST)
+        .flatMap(NodePackage::nameIn)
+        .map(name -> above + name)
+        .filter(wanted -> !wanted.equals(folder));
+  }
+
+  /** The interface files of the package in another folder, next to all others. */
+  private static FileTree moved(String folder, String to, FileTree given) {
     Map<String, byte[]> files = new HashMap<>();
     given.paths().stream()
-        .filter(InterfacePlace::isAtTopOfPackage)
-        .forEach(p -> files.put(packageName + "/" + p, given.content(p).orElseThrow()));
-    return FileTree.of(files);
+        .filter(path -> InterfaceFiles.isSupported(path) && !path.endsWith("/" + MANIFEST))
+        .forEach(
+            path -> {
+              boolean own = InterfacePlace.packageOf(path).orElse("/").equals(folder);
+              files.put(own ? moved(path, folder, to) : path, given.content(path).orElseThrow());
+            });
+    try {
+      return FileTree.of(files);
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of(to, String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static String moved(String path, String folder, String to) {
+    return to + "/" + path.substring(folder.isEmpty() ? 0 : folder.length() + 1);
   }
 
   /**

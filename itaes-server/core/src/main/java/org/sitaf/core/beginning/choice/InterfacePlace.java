@@ -1,8 +1,10 @@
 package org.sitaf.core.beginning.choice;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /**
  * Where an interface file and the files that it refers to lie: in a package of ROS 2, or next to
@@ -10,7 +12,7 @@ import java.util.TreeSet;
  *
  * @param base the folder to which the others are relative; empty for the top
  * @param path of the file
- * @param folders folders of the files that it can refer to
+ * @param folders folders of the files that it can refer to, and of the manifest of its package
  */
 public record InterfacePlace(String base, String path, List<String> folders) {
   private static final Set<String> ROS_FOLDERS = new TreeSet<>(List.of("msg", "srv", "action"));
@@ -34,13 +36,17 @@ public record InterfacePlace(String base, String path, List<String> folders) {
     return new InterfacePlace(
         parent(ros),
         packageName + "/" + name(folder) + "/" + name(path),
-        ROS_FOLDERS.stream().map(f -> packageName + "/" + f).toList());
+        Stream.concat(Stream.of(packageName), ROS_FOLDERS.stream().map(f -> packageName + "/" + f))
+            .toList());
   }
 
-  /** Whether a file is {@code srv/NAME.srv} or similar: the top is the folder of its package. */
-  static boolean isAtTopOfPackage(String path) {
+  /** The folder of the ROS 2 package that contains an interface file; empty for the top. */
+  static Optional<String> packageOf(String path) {
     String folder = parent(path);
-    return ROS_FOLDERS.contains(folder) && path.endsWith("." + folder);
+    String kind = name(folder);
+    return ROS_FOLDERS.contains(kind) && path.endsWith("." + kind)
+        ? Optional.of(parent(folder))
+        : Optional.empty();
   }
 
   private static String parent(String path) {

@@ -8,6 +8,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -72,25 +74,28 @@ class InterfaceChoiceTest {
             "own_msgs/srv/Do.srv");
   }
 
-  @Test
-  void namesThePackageWhoseFolderIsTheTop() {
+  @ParameterizedTest
+  @ValueSource(strings = {"", "own_msgs-main/", "ws/own_msgs-main/"})
+  void aPackageHasTheNameInItsManifest(String folder) {
     FileTree given =
         tree(
             Map.of(
-                "package.xml",
+                folder + "package.xml",
                 "<package><name>own_msgs</name></package>",
-                "srv/Do.srv",
-                "Mode mode\n---\nbool done\n",
-                "msg/Mode.msg",
+                folder + "srv/Do.srv",
+                "Mode mode\nown_msgs/Size size\n---\nbool done\n",
+                folder + "msg/Mode.msg",
                 "uint8 mode\n",
-                "src/node.cpp",
+                folder + "msg/Size.msg",
+                "float64 size\n",
+                folder + "src/node.cpp",
                 ""));
 
-    InterfaceChoice choice = InterfaceChoice.of("srv/Do.srv", given, INSTALLED);
+    InterfaceChoice choice = InterfaceChoice.of(folder + "srv/Do.srv", given, INSTALLED);
 
     assertThat(choice.path()).isEqualTo("own_msgs/srv/Do.srv");
     assertThat(choice.files().paths())
-        .containsExactly("own_msgs/msg/Mode.msg", "own_msgs/srv/Do.srv");
+        .containsExactly("own_msgs/msg/Mode.msg", "own_msgs/msg/Size.msg", "own_msgs/srv/Do.srv");
   }
 
   @Test
@@ -132,7 +137,7 @@ class InterfaceChoiceTest {
             new InterfacePlace(
                 "home/ws",
                 "own_msgs/srv/Do.srv",
-                List.of("own_msgs/action", "own_msgs/msg", "own_msgs/srv")));
+                List.of("own_msgs", "own_msgs/action", "own_msgs/msg", "own_msgs/srv")));
     assertThat(InterfacePlace.of("home/srv/Arm.idl").path()).isEqualTo("home/srv/Arm.idl");
     assertThat(InterfacePlace.of("home/Arm.idl"))
         .isEqualTo(new InterfacePlace("home", "Arm.idl", List.of("")));
