@@ -1,4 +1,5 @@
 import { Code, Group, NativeSelect, SegmentedControl, Text, TextInput } from '@mantine/core';
+import { useId } from 'react';
 import type { Activity } from '@/shared/api';
 import { languageOf, LANGUAGES } from './draft';
 import { FilePicker } from './FilePicker';
@@ -25,6 +26,7 @@ interface NewComponentProps {
 
 /** Begins an activity with the interface of a component that does not exist yet. */
 export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
+  const interfaceFrom = useId();
   const candidates = interfacesIn(draft.files);
   return (
     <ProposalForm request={requestOfComponent(draft)} onCreated={onCreated}>
@@ -37,14 +39,20 @@ export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
           set({ name: event.currentTarget.value });
         }}
       />
-      <SegmentedControl
-        aria-label="Interface from"
-        value={draft.source}
-        onChange={(value) => {
-          set({ source: SOURCES.find((known) => known.value === value)?.value ?? 'files' });
-        }}
-        data={[...SOURCES]}
-      />
+      <div>
+        <Text size="sm" fw={600} id={interfaceFrom}>
+          Interface
+        </Text>
+        <SegmentedControl
+          aria-labelledby={interfaceFrom}
+          fullWidth
+          value={draft.source}
+          onChange={(value) => {
+            set({ source: SOURCES.find((known) => known.value === value)?.value ?? 'files' });
+          }}
+          data={[...SOURCES]}
+        />
+      </div>
       {draft.source === 'files' && (
         <FilePicker
           label="Interface files"
@@ -86,6 +94,7 @@ export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
       <Group align="start" grow preventGrowOverflow={false}>
         <NativeSelect
           label="Language of the component"
+          description="Of the proposed skeleton"
           data={[...LANGUAGES]}
           value={draft.language}
           onChange={(event) => {
@@ -94,7 +103,7 @@ export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
         />
         <TextInput
           label="Component class"
-          placeholder={CLASSES[draft.language]}
+          description={`Optional, such as ${CLASSES[draft.language]}`}
           value={draft.className}
           onChange={(event) => {
             set({ className: event.currentTarget.value });
@@ -102,8 +111,8 @@ export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
         />
       </Group>
       <Text size="sm" c="dimmed">
-        A world with the devices of a robot is proposed by <Code>./sitaf new --robot FILE</Code>. A
-        world that exists can be added to the files of the activity.
+        The proposal has no world. <Code>./sitaf new --robot FILE</Code> proposes one for a robot; a
+        world that exists is added under “Files that I have”.
       </Text>
     </ProposalForm>
   );

@@ -58,7 +58,6 @@ export function ProposalForm({ request, onCreated, onNodes, children }: Proposal
             </Button>
           </div>
           <Text size="sm" role="status">
-            {severalNodes && 'The package holds several nodes. Choose one, and propose again.'}
             {proposal && 'The activity is proposed below. Nothing is stored yet.'}
           </Text>
         </Stack>

@@ -1,4 +1,4 @@
-import { NativeSelect, TextInput } from '@mantine/core';
+import { NativeSelect, Text, TextInput } from '@mantine/core';
 import { useState } from 'react';
 import type { Activity } from '@/shared/api';
 import { FilePicker } from './FilePicker';
@@ -78,10 +78,12 @@ export function RosPackage({ draft, set, onCreated }: RosPackageProps) {
           change({ language: value === 'python' || value === 'cpp' ? value : '' });
         }}
       />
+      <Text size="sm" role="status">
+        {nodes.length > 0 && 'The package holds several nodes. Choose the one to test.'}
+      </Text>
       {nodes.length > 0 && (
         <NativeSelect
           label="Node"
-          description="The package holds several; choose the one to test"
           data={[...nodes]}
           value={draft.node}
           onChange={(event) => {
