@@ -1,5 +1,7 @@
 """Activities that begin with a proposal: from an interface, and from a ROS 2 package."""
 
+import re
+
 import pytest
 
 from portal.browsing import ROOT, expect, home_of, serious, shot, zipped
@@ -79,7 +81,7 @@ def test_an_activity_from_an_interface_passes_at_once(page, begin):
     assert verdicts["pass"] == verdicts["total"]
 
 
-def test_an_interface_that_is_not_there_is_explained(page, begin):
+def test_an_interface_of_ros_is_proposed_and_a_wrong_name_explained(page, begin):
     begin("A new component", "begun")
     page.get_by_text("ROS 2", exact=True).click()
     page.get_by_label("Interface of ROS 2").fill("nav2_msgs/action/Spinn.action")
@@ -87,6 +89,10 @@ def test_an_interface_that_is_not_there_is_explained(page, begin):
     expect(page.get_by_role("alert", name="No activity was proposed")).to_contain_text(
         "nav2_msgs/action/Spinn.action: is neither a given file nor an installed interface of ROS 2"
     )
+    page.get_by_label("Interface of ROS 2").fill("sensor_msgs/srv/SetCameraInfo.srv")
+    propose(page)
+    assert "SetCameraInfo.xml" in paths(page, re.compile("proposed files"))
+    expect(page.get_by_role("list", name=re.compile("taken over"))).to_have_count(0)
 
 
 def test_an_activity_of_a_ros_package_is_created(page, begin):
