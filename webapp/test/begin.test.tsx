@@ -87,7 +87,7 @@ describe('a new component', () => {
     const { user } = openPortal(server, '/activities/new');
     await user.type(await screen.findByLabelText(/Name of the activity/), 'spin');
     await user.click(screen.getByRole('radio', { name: 'ROS 2' }));
-    await user.type(screen.getByLabelText(/Interface of ROS 2/), 'nav2_msgs/action/Spin.action');
+    await user.type(screen.getByLabelText(/Interface of ROS 2/), 'nav_msgs/srv/GetPlan.srv');
     await user.click(screen.getByRole('button', { name: 'Propose activity' }));
     await screen.findByRole('region', { name: 'Proposed activity' });
     await user.click(screen.getByRole('radio', { name: 'Small example' }));
@@ -96,7 +96,7 @@ describe('a new component', () => {
     await user.click(screen.getByRole('button', { name: 'Propose activity' }));
     await screen.findByRole('region', { name: 'Proposed activity' });
     expect(server.proposals.map(({ query, zip }) => [query.interface, zip.length])).toEqual([
-      ['nav2_msgs/action/Spin.action', 0],
+      ['nav_msgs/srv/GetPlan.srv', 0],
       [undefined, 0],
     ]);
   });

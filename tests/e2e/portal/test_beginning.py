@@ -84,10 +84,10 @@ def test_an_activity_from_an_interface_passes_at_once(page, begin):
 def test_an_interface_of_ros_is_proposed_and_a_wrong_name_explained(page, begin):
     begin("A new component", "begun")
     page.get_by_text("ROS 2", exact=True).click()
-    page.get_by_label("Interface of ROS 2").fill("nav2_msgs/action/Spinn.action")
+    page.get_by_label("Interface of ROS 2").fill("nav_msgs/srv/GetPlann.srv")
     page.get_by_role("button", name="Propose activity").press("Enter")
     expect(page.get_by_role("alert", name="No activity was proposed")).to_contain_text(
-        "nav2_msgs/action/Spinn.action: is neither a given file nor an installed interface of ROS 2"
+        "nav_msgs/srv/GetPlann.srv: is neither a given file nor an installed interface of ROS 2"
     )
     page.get_by_label("Interface of ROS 2").fill("sensor_msgs/srv/SetCameraInfo.srv")
     propose(page)

@@ -78,7 +78,7 @@ export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
       {draft.source === 'ros' && (
         <TextInput
           label="Interface of ROS 2"
-          description="An installed service or action, such as nav2_msgs/action/Spin.action"
+          description="An installed service or action, such as nav_msgs/srv/GetPlan.srv"
           required
           value={draft.installed}
           onChange={(event) => {

@@ -20,7 +20,7 @@ export interface ComponentDraft {
   files: Files;
   /** One of the files; the first one that fits if it is empty. */
   chosenFile: string;
-  /** Such as `nav2_msgs/action/Spin.action`. */
+  /** Such as `nav_msgs/srv/GetPlan.srv`. */
   installed: string;
   language: Language;
   /** Optional. */

@@ -62,7 +62,7 @@ class ProposalController {
               name = "interface",
               description =
                   "path of an interface file in the zip, or of an installed one such as"
-                      + " nav2_msgs/action/Spin.action; default: the only one")
+                      + " nav_msgs/srv/GetPlan.srv; default: the only one")
           @RequestParam(name = "interface", required = false)
           @Nullable String interfacePath,
       @Parameter(description = "folder of package.xml in the zip; . for the top")

@@ -28,7 +28,7 @@ final class GivenFiles {
   private GivenFiles() {}
 
   /**
-   * The interface of a file, or of ROS 2 such as {@code nav2_msgs/action/Spin.action}.
+   * The interface of a file, or of ROS 2 such as {@code nav_msgs/srv/GetPlan.srv}.
    *
    * @param installed interface files of ROS 2
    */

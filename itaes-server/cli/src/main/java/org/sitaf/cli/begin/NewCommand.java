@@ -55,7 +55,7 @@ public final class NewCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "The interface of the component: OPRoS (.xml), .idl, .srv, .action or .proto, or one of"
-              + " ROS 2 such as nav2_msgs/action/Spin.action. Default: a small one to change.")
+              + " ROS 2 such as nav_msgs/srv/GetPlan.srv. Default: a small one to change.")
   private @Nullable Path interfaceFile;
 
   @Option(

@@ -44,7 +44,7 @@ public record InterfaceChoice(String path, FileTree files, List<InterfaceDescrip
   }
 
   /**
-   * The interface of a given file, or of ROS 2 such as {@code nav2_msgs/action/Spin.action}.
+   * The interface of a given file, or of ROS 2 such as {@code nav_msgs/srv/GetPlan.srv}.
    *
    * @param given the user's files
    * @param installed interface files of ROS 2

@@ -21,10 +21,12 @@ final class UsedSources {
           "^[ \\t]*#[ \\t]*include[ \\t]*[<\"]([^>\"\\n]{1,200})[>\"]", Pattern.MULTILINE);
 
   private final NodePackage given;
+  private final List<String> sources;
   private final SortedSet<String> used = new TreeSet<>();
 
   private UsedSources(NodePackage given) {
     this.given = given;
+    this.sources = given.sources();
   }
 
   /** The paths of the entry's source and of those that it imports or includes. */
@@ -90,7 +92,7 @@ final class UsedSources {
     while (include.find()) {
       Interruption.check();
       String named = include.group(1).replaceFirst("^(?:\\.\\.?/)+", "");
-      for (String source : given.sources()) {
+      for (String source : sources) {
         if (source.equals(named) || source.endsWith("/" + named)) {
           found.add(source);
           found.addAll(namesakes(source));
@@ -102,7 +104,7 @@ final class UsedSources {
 
   private List<String> namesakes(String header) {
     String stem = stem(header);
-    return given.sources().stream().filter(source -> stem(source).equals(stem)).toList();
+    return sources.stream().filter(source -> stem(source).equals(stem)).toList();
   }
 
   private static String stem(String path) {
