@@ -28,9 +28,16 @@ function draft(changes: Partial<WizardDraft>): WizardDraft {
 
 const SOURCE = 'package org.example;\n\npublic final class Sensor implements Service {}\n';
 
+/** The wizard for files that exist. */
+async function openWizard() {
+  const portal = openPortal(server, '/activities/new');
+  await portal.user.click(await screen.findByRole('radio', { name: 'Files that I have' }));
+  return portal;
+}
+
 describe('the wizard', () => {
   test('creates an activity from its four steps', async () => {
-    const { user } = openPortal(server, '/activities/new');
+    const { user } = await openWizard();
     await user.type(await screen.findByLabelText(/Name of the activity/), 'ir-sensor');
     await user.type(screen.getByLabelText('Properties'), 'Size: 7');
     await user.type(screen.getByLabelText('Calls before the method under test'), 'Enable()');
@@ -83,7 +90,7 @@ describe('the wizard', () => {
         message: "'-' is not a name",
       },
     ];
-    const { user } = openPortal(server, '/activities/new');
+    const { user } = await openWizard();
     const name = await screen.findByLabelText(/Name of the activity/);
     await waitFor(() => {
       expect(server.checks).not.toEqual([]);
@@ -100,7 +107,7 @@ describe('the wizard', () => {
   });
 
   test('removes a file', async () => {
-    const { user } = openPortal(server, '/activities/new');
+    const { user } = await openWizard();
     const zone = await screen.findByRole('group', { name: 'Component profile' });
     await user.upload(
       within(zone).getByLabelText('Files: Component profile'),
@@ -111,7 +118,7 @@ describe('the wizard', () => {
   });
 
   test('reports a damaged zip file', async () => {
-    const { user } = openPortal(server, '/activities/new');
+    const { user } = await openWizard();
     const input = await screen.findByLabelText('Files: Component profile');
     await user.upload(input, file('a.zip', 'no zip'));
     expect(await screen.findByRole('alert', { name: 'The files could not be read' })).toBeVisible();

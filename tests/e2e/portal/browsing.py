@@ -48,6 +48,7 @@ def create_activity(page, example, name, tmp_path):
     folder = ROOT / "examples" / example
     page.get_by_role("link", name="Activities", exact=True).click()
     page.get_by_role("link", name="New activity").click()
+    page.get_by_role("radio", name="Files that I have").check()
     page.get_by_label("Name of the activity").fill(name)
     page.get_by_label("Properties").fill("Size: 7")
     page.get_by_label("Calls before the method under test").fill("Enable()")

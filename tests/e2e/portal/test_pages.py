@@ -14,6 +14,7 @@ def files_of(folder, *paths):
 def test_a_component_in_cpp_goes_through_the_wizard_by_drag_and_drop(page):
     folder = EXAMPLES / "ir-sensor-cpp"
     page.goto(home_of(page) + "/activities/new")
+    page.get_by_role("radio", name="Files that I have").check()
     page.get_by_label("Name of the activity").fill("ir-sensor-cpp")
     page.get_by_label("Language of the component").select_option("cpp")
     page.get_by_label("Properties").fill("Size: 7")

@@ -3,6 +3,7 @@ import type { AddressInfo } from 'node:net';
 import type {
   Activity,
   ActivityDescription,
+  ActivityProposal,
   Agent,
   Build,
   BuildAnalysis,
@@ -53,6 +54,7 @@ interface ExpectedChange {
 const NOUNS = [
   'activities',
   'activity-checks',
+  'activity-proposals',
   'agents',
   'builds',
   'cancel',
@@ -148,6 +150,14 @@ export class FakeServer {
   readonly checks: Buffer[] = [];
   /** The answer to these requests. */
   problems: Diagnostic[] = [];
+  /** Queries and zip files from which an activity was to be proposed. */
+  readonly proposals: { query: Record<string, string>; zip: Buffer }[] = [];
+  /** The proposed activity. */
+  proposedActivity: ActivityProposal = { notes: [], files: [], archive: '' };
+  /** The problems of the next proposal; it succeeds if there are none. */
+  proposalRefusal: Diagnostic[] = [];
+  /** The nodes of a package of which none was chosen. */
+  nodes: string[] = [];
   suiteCases: SuiteCase[] = [];
   suiteVersion = 1;
   /** Stored changes of expected values with the version of the request. */
@@ -388,6 +398,15 @@ export class FakeServer {
       this.checks.push(body);
       return { status: 200, json: { diagnostics: this.problems } };
     },
+    'POST activity-proposals': ({ body, query }) => {
+      this.proposals.push({ query: Object.fromEntries(query), zip: body });
+      if (this.nodes.length > 0 && !query.has('class')) {
+        return refused({ title: 'Several nodes', nodes: this.nodes });
+      }
+      return this.proposalRefusal.length > 0
+        ? refused({ title: 'Invalid input', diagnostics: this.proposalRefusal })
+        : { status: 200, json: this.proposedActivity };
+    },
     'GET builds * explanation': ({ path }) =>
       foundOrNone(this.analyses.get(`${path[1]} explanation`)),
     'POST builds * explanation': ({ path }) => {
@@ -610,6 +629,10 @@ function foundOrNone(item: unknown): Answer {
 
 function conflict(): Answer {
   return { status: 412, problem: true, json: { title: 'Version conflict', status: 412 } };
+}
+
+function refused(problem: object): Answer {
+  return { status: 422, problem: true, json: { status: 422, ...problem } };
 }
 
 function notFound(): Answer {

@@ -1,7 +1,7 @@
 import { Stack, Title } from '@mantine/core';
 import { useNavigate } from '@tanstack/react-router';
 import { NewFromGit } from '@/features/git';
-import { Wizard } from '@/features/wizard';
+import { BeginActivity } from '@/features/wizard';
 import { Section } from '@/shared/ui';
 
 export function NewActivityPage() {
@@ -12,12 +12,12 @@ export function NewActivityPage() {
       <Title order={1} size="h2">
         New test activity
       </Title>
-      <Wizard
-        onCreated={({ id }) =>
+      <BeginActivity
+        onCreated={({ activity, hasModels }) =>
           void navigate({
             to: '/activities/$activityId',
-            params: { activityId: id },
-            search: { tab: 'files' },
+            params: { activityId: activity.id },
+            search: { tab: hasModels ? 'overview' : 'files' },
           })
         }
       />

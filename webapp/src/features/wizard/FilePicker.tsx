@@ -14,6 +14,8 @@ interface FilePickerProps {
   folder?: boolean;
   /** Whether a single file is expected. */
   single?: boolean;
+  /** Whether the name of a chosen folder is part of the paths. */
+  whole?: boolean;
 }
 
 /** Selects files, folders and zip files with a dialog or by drag and drop. */
@@ -24,6 +26,7 @@ export function FilePicker({
   onFiles,
   folder = false,
   single = false,
+  whole = false,
 }: FilePickerProps) {
   const [over, setOver] = useState(false);
   const [error, setError] = useState<Error>();
@@ -33,7 +36,7 @@ export function FilePicker({
     if (given.length === 0) return;
     try {
       const { filesFrom } = await import('./archive');
-      const added = await filesFrom(given);
+      const added = await filesFrom(given, whole);
       setError(undefined);
       onFiles(single ? new Map([...added].slice(0, 1)) : new Map([...files, ...added]));
     } catch (cause) {

@@ -13,30 +13,24 @@ import {
 import { useState } from 'react';
 import type { Activity, Diagnostic } from '@/shared/api';
 import { Diagnostics, ProblemAlert, Section, UserText } from '@/shared/ui';
-import {
-  EMPTY,
-  LANGUAGES,
-  suggestedClass,
-  pathsOf,
-  type Language,
-  type WizardDraft,
-} from './draft';
+import { languageOf, LANGUAGES, suggestedClass, pathsOf, type WizardDraft } from './draft';
 import { FilePicker } from './FilePicker';
 import { useCheck, useCreateActivity } from './queries';
 
 const LAST_STEP = 3;
 
+interface WizardProps {
+  draft: WizardDraft;
+  set: (changes: Partial<WizardDraft>) => void;
+  onCreated: (activity: Activity) => void;
+}
+
 /** Creates an activity in four steps (Fig. 13). Problems are shown next to the fields that cause them. */
-export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void }) {
+export function Wizard({ draft, set, onCreated }: WizardProps) {
   const [step, setStep] = useState(0);
-  const [draft, setDraft] = useState<WizardDraft>(EMPTY);
   const check = useCheck(draft, step);
   const create = useCreateActivity();
   const problems = check.data?.diagnostics ?? [];
-  const set = (changes: Partial<WizardDraft>) => {
-    // Reading files takes time: keep what was typed in the meantime.
-    setDraft((known) => ({ ...known, ...changes }));
-  };
   const props: StepProps = { draft, set, problems };
   const errors = problems.filter(({ severity }) => severity === 'ERROR');
   return (
@@ -81,7 +75,13 @@ export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void 
             disabled={errors.length > 0 || check.isFetching}
             loading={create.isPending}
             onClick={() => {
-              create.mutate(draft, { onSuccess: onCreated });
+              create.mutate(
+                async () => {
+                  const { archiveOf } = await import('./archive');
+                  return archiveOf(draft);
+                },
+                { onSuccess: onCreated },
+              );
             }}
           >
             Create activity
@@ -328,8 +328,4 @@ function SummaryStep({ draft, set, problems, checking }: StepProps & { checking:
       </Section>
     </Stack>
   );
-}
-
-function languageOf(value: string): Language {
-  return LANGUAGES.find((known) => known.value === value)?.value ?? 'java';
 }

@@ -44,8 +44,20 @@ export function archiveOf(draft: WizardDraft): Uint8Array<ArrayBuffer> {
   });
 }
 
-/** Selected files: zip files are unpacked, folders keep their relative paths. */
-export async function filesFrom(given: readonly { path: string; file: File }[]): Promise<Files> {
+/** The zip file of some files; nothing for none. */
+export function zipOf(files: Files): Uint8Array<ArrayBuffer> {
+  return files.size === 0 ? new Uint8Array() : zipSync(Object.fromEntries(files));
+}
+
+/**
+ * Selected files: zip files are unpacked, folders keep their relative paths.
+ *
+ * @param whole whether to keep a top-level folder that contains all files
+ */
+export async function filesFrom(
+  given: readonly { path: string; file: File }[],
+  whole = false,
+): Promise<Files> {
   const files = new Map<string, Uint8Array>();
   for (const { path, file } of given) {
     const content = new Uint8Array(await file.arrayBuffer());
@@ -57,7 +69,7 @@ export async function filesFrom(given: readonly { path: string; file: File }[]):
       files.set(path, content);
     }
   }
-  return withoutCommonFolder(files);
+  return whole ? files : withoutCommonFolder(files);
 }
 
 /** Removes a top-level folder that contains all files. */

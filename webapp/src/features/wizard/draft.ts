@@ -8,6 +8,10 @@ export const LANGUAGES = [
 ] as const;
 export type Language = (typeof LANGUAGES)[number]['value'];
 
+export function languageOf(value: string): Language {
+  return LANGUAGES.find((known) => known.value === value)?.value ?? 'java';
+}
+
 /** The fields of the wizard (Fig. 13). */
 export interface WizardDraft {
   name: string;
@@ -31,7 +35,7 @@ export interface WizardDraft {
   world: Files;
 }
 
-const NONE: Files = new Map();
+export const NONE: Files = new Map();
 
 export const EMPTY: WizardDraft = {
   name: '',

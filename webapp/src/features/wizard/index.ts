@@ -1,1 +1,1 @@
-export { Wizard } from './Wizard';
+export { BeginActivity, type BegunActivity } from './BeginActivity';

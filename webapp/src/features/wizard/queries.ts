@@ -1,6 +1,7 @@
 import { useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
 import { dataOf, useApi } from '@/shared/api';
 import type { WizardDraft } from './draft';
+import type { ProposalRequest } from './proposal';
 
 const ZIP = { 'Content-Type': 'application/zip' };
 
@@ -36,13 +37,32 @@ function identityOf(draft: WizardDraft): number {
   return identity;
 }
 
+/** The activity that the server proposes; nothing is stored. */
+export function usePropose() {
+  const api = useApi();
+  return useMutation({
+    mutationFn: async ({ files, query }: ProposalRequest) => {
+      const { zipOf } = await import('./archive');
+      const zip = new Blob([zipOf(files)]);
+      return dataOf(
+        api.POST('/api/v1/activity-proposals', {
+          params: { query },
+          body: zip as unknown as string,
+          bodySerializer: () => zip,
+          headers: ZIP,
+        }),
+      );
+    },
+  });
+}
+
+/** Creates an activity from the zip file of its files. */
 export function useCreateActivity() {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({
-    mutationFn: async (draft: WizardDraft) => {
-      const { archiveOf } = await import('./archive');
-      const zip = new Blob([archiveOf(draft)]);
+    mutationFn: async (archive: () => Promise<Uint8Array<ArrayBuffer>>) => {
+      const zip = new Blob([await archive()]);
       return dataOf(
         api.POST('/api/v1/activities', {
           body: zip as unknown as string,

@@ -5,6 +5,8 @@ export class ApiError extends Error {
   override readonly name = 'ApiError';
   readonly title: string;
   readonly diagnostics: readonly Diagnostic[];
+  /** Of these nodes of a ROS 2 package, one must be chosen. */
+  readonly nodes: readonly string[];
 
   constructor(
     readonly status: number,
@@ -14,6 +16,7 @@ export class ApiError extends Error {
     super(problem.detail ?? title);
     this.title = title;
     this.diagnostics = problem.diagnostics ?? [];
+    this.nodes = problem.nodes ?? [];
   }
 }
 

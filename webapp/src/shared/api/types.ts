@@ -4,6 +4,7 @@ import type { components } from './schema';
 type Schemas = components['schemas'];
 
 export type Activity = Schemas['Activity'];
+export type ActivityProposal = Schemas['ActivityProposal'];
 export type ActivityModel = Schemas['ActivityModel'];
 export type Agent = Schemas['Agent'];
 export type Build = Schemas['Build'];

@@ -14,7 +14,7 @@ import org.springframework.stereotype.Component;
 
 /** The interface packages of ROS 2 that activities can use without containing them. */
 @Component
-final class RosPackages {
+public final class RosPackages {
   private static final int MAX_DEPTH = 5;
 
   private final FileTree files;
@@ -24,6 +24,11 @@ final class RosPackages {
    */
   RosPackages(@Value("${sitaf.ros-interfaces:}") String folder) {
     files = folder.isEmpty() ? FileTree.of(Map.of()) : load(Path.of(folder));
+  }
+
+  /** The interface files by {@code PACKAGE/msg/NAME.msg}. */
+  public FileTree files() {
+    return files;
   }
 
   /** Reads an activity, which may use these packages. */

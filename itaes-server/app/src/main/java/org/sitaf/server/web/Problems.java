@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.apache.tomcat.util.http.InvalidParameterException;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.beginning.node.SeveralNodesException;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.server.error.ComputationTimeoutException;
 import org.sitaf.server.error.RequestException;
@@ -42,12 +43,24 @@ class Problems extends ResponseEntityExceptionHandler {
       @Nullable String detail,
       @Nullable String instance,
       @Schema(description = "the problems of an invalid input; absent for other errors")
-          @Nullable List<DiagnosticView> diagnostics) {}
+          @Nullable List<DiagnosticView> diagnostics,
+      @Schema(
+              description =
+                  "classes and programs of a ROS 2 package of which one must be chosen; absent for"
+                      + " other errors")
+          @Nullable List<String> nodes) {}
 
   @ExceptionHandler
   ResponseEntity<ProblemDetail> invalid(InvalidInputException e) {
     ProblemDetail problem = problem(HttpStatus.UNPROCESSABLE_CONTENT, "Invalid input", e);
     problem.setProperty("diagnostics", e.diagnostics().stream().map(DiagnosticView::of).toList());
+    return response(problem);
+  }
+
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> ambiguous(SeveralNodesException e) {
+    ProblemDetail problem = problem(HttpStatus.UNPROCESSABLE_CONTENT, "Several nodes", e);
+    problem.setProperty("nodes", e.nodes());
     return response(problem);
   }
 

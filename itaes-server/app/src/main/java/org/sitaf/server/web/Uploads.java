@@ -63,6 +63,26 @@ public class Uploads {
    * @throws RequestException if the body is incomplete or the server is busy
    */
   public <T> T unpack(HttpServletRequest request, Function<FileTree, T> use) throws IOException {
+    return unpack(request, ActivityArchive::read, use);
+  }
+
+  /**
+   * Unpacks the archive in a request's body, with a top-level folder that contains all files, and
+   * applies a function to its files.
+   *
+   * @throws RequestException if the body is incomplete or the server is busy
+   */
+  public <T> T unpackWhole(HttpServletRequest request, Function<FileTree, T> use)
+      throws IOException {
+    return unpack(request, ActivityArchive::readWhole, use);
+  }
+
+  private interface Reading {
+    FileTree read(InputStream zip, String name, long maxSize);
+  }
+
+  private <T> T unpack(HttpServletRequest request, Reading reading, Function<FileTree, T> use)
+      throws IOException {
     Files.createDirectories(folder);
     Path file = Files.createTempFile(folder, "upload-", ".zip");
     try {
@@ -72,7 +92,7 @@ public class Uploads {
       }
       acquire();
       try (InputStream zip = new BufferedInputStream(Files.newInputStream(file))) {
-        return use.apply(ActivityArchive.read(zip, "the uploaded archive", maxUnpacked));
+        return use.apply(reading.read(zip, "the uploaded archive", maxUnpacked));
       } finally {
         unpacking.release();
       }

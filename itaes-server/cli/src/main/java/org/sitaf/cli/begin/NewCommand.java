@@ -20,7 +20,9 @@ import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.beginning.NewActivity;
-import org.sitaf.core.beginning.node.NewNodeActivity;
+import org.sitaf.core.beginning.Proposal;
+import org.sitaf.core.beginning.choice.InterfaceChoice;
+import org.sitaf.core.beginning.node.SeveralNodesException;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -53,7 +55,7 @@ public final class NewCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "The interface of the component: OPRoS (.xml), .idl, .srv, .action or .proto, or one of"
-              + " ROS 2 such as nav2_msgs/action/Spin.action. Default: a small one to change.")
+              + " ROS 2 such as nav_msgs/srv/GetPlan.srv. Default: a small one to change.")
   private @Nullable Path interfaceFile;
 
   @Option(
@@ -109,21 +111,22 @@ public final class NewCommand implements Callable<Integer> {
   public Integer call() throws IOException, InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     requireEmpty(folder);
+    Proposal proposal;
     if (node != null) {
-      NewNodeActivity.Proposal proposal = ofNode(node);
-      write(proposal.files());
-      summarise(proposal.files(), out);
-      proposal.notes().forEach(note -> out.println(Printable.line("  " + note)));
+      proposal = ofNode(node);
+    } else if (example != null) {
+      proposal = new Proposal(copied(example), List.of());
     } else {
-      FileTree files = example == null ? proposed(out) : copied(example);
-      write(files);
-      summarise(files, out);
+      proposal = proposed(out);
     }
+    write(proposal.files());
+    summarise(proposal.files(), out);
+    proposal.notes().forEach(note -> out.println(Printable.line("  " + note)));
     out.flush();
     return 0;
   }
 
-  private FileTree proposed(PrintWriter out) throws IOException, InterruptedException {
+  private Proposal proposed(PrintWriter out) throws IOException, InterruptedException {
     Installation installation = Installation.current();
     Questions questions = new Questions(System.console(), out);
     if (interfaceFile == null) {
@@ -138,7 +141,7 @@ public final class NewCommand implements Callable<Integer> {
     InterfaceChoice chosen =
         interfaceFile == null
             ? InterfaceChoice.own()
-            : InterfaceChoice.of(interfaceFile, installed);
+            : GivenFiles.interfaceOf(interfaceFile, installed);
     if (language == null) {
       language =
           questions
@@ -168,7 +171,7 @@ public final class NewCommand implements Callable<Integer> {
         .propose();
   }
 
-  private NewNodeActivity.Proposal ofNode(Path folder) throws IOException {
+  private Proposal ofNode(Path folder) throws IOException {
     if (interfaceFile != null || robot != null || example != null || language == Language.JAVA) {
       throw InvalidInputException.of(
           "--node " + folder,
@@ -177,7 +180,15 @@ public final class NewCommand implements Callable<Integer> {
     }
     Path ros = Installation.current().rosInterfaces();
     FileTree installed = Files.isDirectory(ros) ? UserFiles.folder(ros) : FileTree.of(Map.of());
-    return NodeChoice.of(folder, language).activity(name(), className, installed).propose();
+    try {
+      return GivenFiles.packageOf(folder, language)
+          .activity(name(), className, installed)
+          .propose();
+    } catch (SeveralNodesException e) {
+      throw InvalidInputException.of(
+          e.packageName(),
+          "holds several nodes; choose with --class: " + String.join(", ", e.nodes()));
+    }
   }
 
   private static Language language(String name) {

@@ -63,6 +63,16 @@ public final class ActivityArchive {
    * @throws InvalidInputException if it is not a ZIP archive, a path is unsafe, or it is too large
    */
   public static FileTree read(InputStream zip, String name, long maxSize) {
+    return withoutCommonFolder(readWhole(zip, name, maxSize));
+  }
+
+  /**
+   * Unpacks an archive in memory, with a top-level folder that contains all files, whose name can
+   * be that of a package.
+   *
+   * @throws InvalidInputException if it is not a ZIP archive, a path is unsafe, or it is too large
+   */
+  public static FileTree readWhole(InputStream zip, String name, long maxSize) {
     Map<String, byte[]> files = new LinkedHashMap<>();
     Unpacked unpacked = new Unpacked(zip, name, Math.min(maxSize, MAX_SIZE));
     try (ZipInputStream in = new ZipInputStream(unpacked.packed, StandardCharsets.UTF_8)) {
@@ -85,7 +95,7 @@ public final class ActivityArchive {
       if (files.isEmpty()) {
         throw InvalidInputException.of(name, "is not a ZIP archive or contains no file");
       }
-      return withoutCommonFolder(FileTree.of(files));
+      return FileTree.of(files);
     } catch (ZipException | EOFException e) {
       throw InvalidInputException.of(name, "is not a valid ZIP archive: " + e.getMessage());
     } catch (IllegalArgumentException e) {

@@ -1,14 +1,14 @@
 package org.sitaf.core.beginning;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.stream.Collectors;
 import org.sitaf.core.description.DataType;
+import org.sitaf.core.diagnostic.InvalidInputException;
 
 /** Values of types, as test models and results write them. */
 final class Literals {
   private static final int SHORT = 3;
+  private static final int MAX_LENGTH = 100_000;
 
   private Literals() {}
 
@@ -40,19 +40,44 @@ final class Literals {
   }
 
   private static String inner(DataType type, int seed) {
+    StringBuilder text = new StringBuilder();
+    append(type, seed, text);
+    return text.toString();
+  }
+
+  /** A few nested types or one long array can have values that fill the memory. */
+  private static void append(DataType type, int seed, StringBuilder text) {
+    if (text.length() > MAX_LENGTH) {
+      throw InvalidInputException.of(
+          "interface",
+          "a type has no value of less than %d characters; leave out the methods that use it, or"
+                  .formatted(MAX_LENGTH)
+              + " shorten its arrays");
+    }
     if (type instanceof DataType.Sequence) {
-      return "[]";
+      text.append("[]");
+    } else if (type instanceof DataType.FixedArray array) {
+      text.append('[');
+      for (int i = 0; i < array.length(); i++) {
+        text.append(i == 0 ? "" : ", ");
+        append(array.element(), seed, text);
+      }
+      text.append(']');
+    } else if (type instanceof DataType.Struct struct) {
+      text.append('{');
+      String separator = "";
+      for (DataType.Member member : struct.members()) {
+        text.append(separator).append(member.name()).append(": ");
+        append(member.type(), seed, text);
+        separator = ", ";
+      }
+      text.append('}');
+    } else {
+      text.append(quoted(type, seed));
     }
-    if (type instanceof DataType.FixedArray array) {
-      return "["
-          + String.join(", ", Collections.nCopies(array.length(), inner(array.element(), seed)))
-          + "]";
-    }
-    if (type instanceof DataType.Struct struct) {
-      return struct.members().stream()
-          .map(m -> m.name() + ": " + inner(m.type(), seed))
-          .collect(Collectors.joining(", ", "{", "}"));
-    }
+  }
+
+  private static String quoted(DataType type, int seed) {
     boolean text =
         type instanceof DataType.Enumeration
             || (type instanceof DataType.Scalar scalar

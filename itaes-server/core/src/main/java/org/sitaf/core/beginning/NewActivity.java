@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.Language;
@@ -43,10 +44,11 @@ public record NewActivity(
     FileTree installed,
     @Nullable String world) {
   private static final int MAX_MODELS = 100;
+  private static final String XML = ".xml";
 
   public NewActivity {
     provided = List.copyOf(provided);
-    interfaces = interfaces.stream().map(i -> i.withMethods(NewActivity::isKnown)).toList();
+    interfaces = List.copyOf(interfaces);
   }
 
   /** Whether all types are defined; the other methods cannot be tested. */
@@ -56,12 +58,14 @@ public record NewActivity(
   }
 
   /**
-   * The files of the activity: it runs without changes, and comments mark where a person decides.
+   * Proposes the activity: it runs without changes, and comments mark where a person decides.
    *
    * @throws InvalidInputException if the interfaces cannot be tested in the language
    */
-  public FileTree propose() {
-    if (interfaces.stream().allMatch(i -> i.methods().isEmpty())) {
+  public Proposal propose() {
+    List<InterfaceDescription> testable =
+        interfaces.stream().map(i -> i.withMethods(NewActivity::isKnown)).toList();
+    if (testable.stream().allMatch(i -> i.methods().isEmpty())) {
       throw InvalidInputException.of(
           provided.isEmpty() ? "interface" : provided.get(0),
           "contains no interface with a method whose types are all defined; name a file with a"
@@ -70,11 +74,11 @@ public record NewActivity(
     Map<String, byte[]> all = new HashMap<>();
     files.paths().forEach(path -> all.put(path, files.content(path).orElseThrow()));
     List<String> models = new ArrayList<>();
-    modelTexts()
+    modelTexts(testable)
         .forEach(
             (model, text) -> {
-              models.add(model + ".xml");
-              all.put(model + ".xml", text.getBytes(StandardCharsets.UTF_8));
+              models.add(model + XML);
+              all.put(model + XML, text.getBytes(StandardCharsets.UTF_8));
             });
     all.put("activity.yaml", profile(models).getBytes(StandardCharsets.UTF_8));
     FileTree withoutComponent = FileTree.of(all);
@@ -82,7 +86,27 @@ public record NewActivity(
     FileTree proposed =
         withoutComponent.with("", InterfaceTestApplicationGenerator.component(activity));
     verify(Activity.read(proposed, installed));
-    return proposed;
+    return new Proposal(proposed, leftOut(testable, models.size()));
+  }
+
+  private List<String> leftOut(List<InterfaceDescription> testable, int models) {
+    List<String> notes = new ArrayList<>();
+    for (InterfaceDescription provided : interfaces) {
+      for (Method method : provided.methods()) {
+        if (!isKnown(method)) {
+          notes.add(
+              "%s of %s is left out, because a type of it is not defined; add the file that defines it"
+                  .formatted(method.name(), provided.name()));
+        }
+      }
+    }
+    int methods = testable.stream().mapToInt(provided -> provided.methods().size()).sum();
+    if (methods > models) {
+      notes.add(
+          "only %d of the %d methods have a test model; add one for each other that you test"
+              .formatted(models, methods));
+    }
+    return notes;
   }
 
   /** Reports what the language cannot express before anything is written. */
@@ -93,10 +117,17 @@ public record NewActivity(
     }
   }
 
-  private Map<String, String> modelTexts() {
+  private Map<String, String> modelTexts(List<InterfaceDescription> testable) {
     Map<String, String> models = new TreeMap<>();
     Set<String> names = new HashSet<>();
-    for (InterfaceDescription provided : interfaces) {
+    // A profile in XML can have the name of its method.
+    files.paths().stream()
+        .filter(path -> path.endsWith(XML))
+        .forEach(
+            path ->
+                names.add(
+                    path.substring(0, path.length() - XML.length()).toLowerCase(Locale.ROOT)));
+    for (InterfaceDescription provided : testable) {
       for (Method method : provided.methods()) {
         String base =
             names.contains(method.name().toLowerCase(Locale.ROOT))
@@ -112,7 +143,7 @@ public record NewActivity(
         }
       }
     }
-    for (InterfaceDescription provided : interfaces) {
+    for (InterfaceDescription provided : testable) {
       String model = "Sequences";
       for (int i = 2; names.contains(model.toLowerCase(Locale.ROOT)); i++) {
         model = "Sequences_" + i;
@@ -128,33 +159,31 @@ public record NewActivity(
 
   private String profile(List<String> models) {
     StringBuilder text = new StringBuilder();
-    text.append("name: ").append(name).append('\n');
+    text.append("name: ").append(YamlScalar.of(name)).append('\n');
     text.append("description: \"\"   # Say in one sentence what is tested.\n");
     text.append("component:\n");
     text.append("  language: ").append(language.name().toLowerCase(Locale.ROOT)).append('\n');
     text.append("  # A skeleton. Replace it by the sources of your component and its class.\n");
     text.append("  sources: component/\n");
-    text.append("  class: ").append(chosenClass()).append('\n');
+    text.append("  class: ").append(YamlScalar.of(chosenClass())).append('\n');
     text.append("  # If names or types differ from the interface: adapter: adapter/, then\n");
     text.append("  # ./sitaf harness FOLDER --adapter.\n");
-    text.append("provided: [").append(String.join(", ", quoted(provided))).append("]\n");
+    text.append("provided: [").append(scalars(provided)).append("]\n");
     text.append("# Interfaces that the component calls; the test stub implements them.\n");
     text.append("required: []\n");
     if (world == null) {
       text.append("# A simulation, if the component uses sensors or actuators:\n");
       text.append("# world: world/NAME.world.yaml\n");
     } else {
-      text.append("world: ").append(world).append('\n');
+      text.append("world: ").append(YamlScalar.of(world)).append('\n');
     }
-    text.append("models: [").append(String.join(", ", quoted(models))).append("]\n");
+    text.append("models: [").append(scalars(models)).append("]\n");
     text.append("limits: {case_wall_s: 10}\n");
     return text.toString();
   }
 
-  private static List<String> quoted(List<String> paths) {
-    return paths.stream()
-        .map(path -> path.matches("[\\w./-]+") ? path : "'" + path.replace("'", "''") + "'")
-        .toList();
+  private static String scalars(List<String> paths) {
+    return paths.stream().map(YamlScalar::of).collect(Collectors.joining(", "));
   }
 
   private String chosenClass() {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.beginning.choice.InterfaceChoice;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.importer.InterfaceFiles;
 import org.sitaf.core.description.source.SourceFiles;
@@ -39,13 +41,18 @@ class NewActivityTest {
       """;
 
   private static FileTree propose(Language language, String idl) {
+    return proposal(language, "arm", null, idl).files();
+  }
+
+  private static Proposal proposal(
+      Language language, String name, @Nullable String className, String idl) {
     byte[] content = idl.getBytes(StandardCharsets.UTF_8);
     var read =
         InterfaceFiles.read(SourceFiles.of("a", Map.of("Arm.idl", content), List.of("Arm.idl")));
     return new NewActivity(
-            "arm",
+            name,
             language,
-            null,
+            className,
             List.of("Arm.idl"),
             read.provided(),
             FileTree.of(Map.of("Arm.idl", content)),
@@ -95,6 +102,75 @@ class NewActivityTest {
   @Test
   void leavesOutMethodsWithUnknownTypes() {
     assertThat(propose(Language.PYTHON, ARM).paths()).doesNotContain("Say.xml");
+  }
+
+  @Test
+  void notesNameTheMethodsThatAreLeftOut() {
+    assertThat(proposal(Language.PYTHON, "arm", null, ARM).notes())
+        .containsExactly(
+            "Say of Arm is left out, because a type of it is not defined; add the file that defines"
+                + " it");
+  }
+
+  @Test
+  void aModelDoesNotReplaceAnInterfaceOfItsName() {
+    String profile =
+        """
+        <service_port_type_profile><service_port_type><type_name>Arm</type_name>
+        <method name="Move" return_type="int" call_type="blocking"/>
+        </service_port_type></service_port_type_profile>
+        """;
+    FileTree files = FileTree.of(Map.of("Move.xml", profile.getBytes(StandardCharsets.UTF_8)));
+    InterfaceChoice chosen = InterfaceChoice.of("Move.xml", files, NONE);
+
+    FileTree proposed =
+        new NewActivity(
+                "arm",
+                Language.JAVA,
+                null,
+                List.of(chosen.path()),
+                chosen.provided(),
+                chosen.files(),
+                NONE,
+                null)
+            .propose()
+            .files();
+
+    assertThat(proposed.text("Move.xml")).contains(profile);
+    assertThat(proposed.contains("Arm_Move.xml")).isTrue();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "JAVA, 'a.B\nworld: x'",
+    "JAVA, '1a.B'",
+    "PYTHON, 'a b.C'",
+    "PYTHON, C",
+    "CPP, 'a::B {'",
+    "CPP, 'a.B'"
+  })
+  void refusesAClassOfAnotherForm(Language language, String className) {
+    assertThatThrownBy(() -> proposal(language, "arm", className, ARM))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("component.class");
+  }
+
+  @Test
+  void refusesANameThatActivitiesCannotHave() {
+    assertThatThrownBy(() -> proposal(Language.JAVA, "a: b\nworld: x", null, ARM))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("activity.yaml:1: error: name:");
+  }
+
+  /** The value of one parameter would fill the memory. */
+  @Test
+  void refusesTypesWhoseValuesAreTooLong() {
+    String idl =
+        "typedef double Row[1000]; typedef Row Table[1000]; interface Big { void f(in Table all);"
+            + " };";
+    assertThatThrownBy(() -> proposal(Language.JAVA, "big", null, idl))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("a type has no value of less than 100000 characters");
   }
 
   @Test

@@ -38,7 +38,8 @@ class SequenceProposalTest {
                 FileTree.of(Map.of("A.idl", content)),
                 FileTree.of(Map.of()),
                 null)
-            .propose());
+            .propose()
+            .files());
   }
 
   private static Optional<SequenceSpec> sequences(String idl) {

@@ -26,6 +26,8 @@ import org.sitaf.core.activity.ros.NodeSources.Kind;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.beginning.LifecycleProposal;
 import org.sitaf.core.beginning.ModelProposal;
+import org.sitaf.core.beginning.Proposal;
+import org.sitaf.core.beginning.YamlScalar;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -67,7 +69,8 @@ public record NewNodeActivity(
   /**
    * The files of the activity, and notes about what its sources did not tell.
    *
-   * @throws InvalidInputException if there is no node that can be tested, or if there are several
+   * @throws InvalidInputException if there is no node that can be tested
+   * @throws SeveralNodesException if there are several nodes, and none was chosen
    */
   public Proposal propose() {
     NodeEntry chosen = new NodeEntries(given).choose(entry);
@@ -82,9 +85,9 @@ public record NewNodeActivity(
         .forEach(path -> all.put(folder() + "/" + path, given.files().content(path).orElseThrow()));
     needed(sources.packages())
         .forEach(path -> all.put("src/" + path, siblings.content(path).orElseThrow()));
-    String profile = profile(chosen, sources, texts, FileTree.of(all), notes);
-    all.put("activity.yaml", bytes(profile.formatted("[]")));
-    Activity withoutModels = Activity.read(FileTree.of(all), installed);
+    String profile = profile(chosen, sources, texts, tree(all), notes);
+    all.put("activity.yaml", bytes(profile + end(List.of())));
+    Activity withoutModels = Activity.read(tree(all), installed);
     List<String> models = new ArrayList<>();
     models(withoutModels)
         .forEach(
@@ -92,8 +95,8 @@ public record NewNodeActivity(
               models.add(model + ".xml");
               all.put(model + ".xml", bytes(text));
             });
-    all.put("activity.yaml", bytes(profile.formatted("[" + String.join(", ", models) + "]")));
-    FileTree files = FileTree.of(all);
+    all.put("activity.yaml", bytes(profile + end(models)));
+    FileTree files = tree(all);
     for (TestModel model : Activity.read(files, installed).models()) {
       var unused = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
     }
@@ -122,19 +125,17 @@ public record NewNodeActivity(
     return needed;
   }
 
-  /**
-   * A new activity.
-   *
-   * @param notes what a person has to add
-   */
-  public record Proposal(FileTree files, List<String> notes) {
-    public Proposal {
-      notes = List.copyOf(notes);
-    }
-  }
-
   private String folder() {
     return "src/" + given.name();
+  }
+
+  /** The paths of a package are longer in the activity. */
+  private FileTree tree(Map<String, byte[]> files) {
+    try {
+      return FileTree.of(files);
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of(given.name(), String.valueOf(e.getMessage()));
+    }
   }
 
   private static byte[] bytes(String text) {
@@ -148,12 +149,14 @@ public record NewNodeActivity(
       FileTree files,
       List<String> notes) {
     StringBuilder text = new StringBuilder();
-    text.append("name: ").append(name).append('\n');
+    text.append("name: ").append(YamlScalar.of(name)).append('\n');
     text.append("description: \"\"   # Say in one sentence what is tested.\n");
     text.append("component:\n");
     text.append("  language: ").append(given.isCpp() ? "ros2-cpp" : "ros2-python").append('\n');
     text.append("  sources: ").append(folder()).append('\n');
-    text.append(chosen.isMain() ? "  main: " : "  class: ").append(chosen.name()).append('\n');
+    text.append(chosen.isMain() ? "  main: " : "  class: ")
+        .append(YamlScalar.of(chosen.name()))
+        .append('\n');
     Set<String> parameters = parameters(texts);
     text.append("  # Parameters that the node declares: ")
         .append(parameters.isEmpty() ? "none was found" : String.join(", ", parameters))
@@ -173,9 +176,12 @@ public record NewNodeActivity(
     text.append("required: ")
         .append(shown(services(sources, Kind.CLIENT, files, notes)))
         .append('\n');
-    text.append("models: %s\n");
-    text.append("limits: {case_wall_s: 30}\n");
     return text.toString();
+  }
+
+  /** The end of {@code activity.yaml}, which names the models. */
+  private static String end(List<String> models) {
+    return "models: [" + String.join(", ", models) + "]\nlimits: {case_wall_s: 30}\n";
   }
 
   private static Set<String> parameters(List<String> texts) {
@@ -197,9 +203,11 @@ public record NewNodeActivity(
         .filter(e -> !PASSED_OVER.contains(e.name()))
         .filter(e -> isKnown(e, notes))
         .forEach(e -> byName.computeIfAbsent(e.name(), n -> new ArrayList<>()).add(e));
-    NodeSources whole =
-        new NodeSources(
-            given.sources().stream().map(given::text).toList(), Map.of(), given.isCpp());
+    Map<String, Set<String>> types = new HashMap<>();
+    new NodeSources(given.sources().stream().map(given::text).toList(), Map.of(), given.isCpp())
+        .endpoints().stream()
+            .filter(e -> e.kind() == Kind.PUBLISHER || e.kind() == Kind.SUBSCRIPTION)
+            .forEach(e -> types.computeIfAbsent(e.name(), n -> new HashSet<>()).add(e.type()));
     Set<String> taken = new HashSet<>(TAKEN);
     Map<String, String> topics = new LinkedHashMap<>();
     byName.forEach(
@@ -212,15 +220,12 @@ public record NewNodeActivity(
             }
           }
           String shown = ends.size() == 1 ? ends.iterator().next() : ends.toString();
-          long types =
-              whole.endpoints().stream()
-                  .filter(e -> e.kind() == Kind.PUBLISHER || e.kind() == Kind.SUBSCRIPTION)
-                  .filter(e -> e.name().equals(topic))
-                  .map(Endpoint::type)
-                  .distinct()
-                  .count();
           String type = endpoints.get(0).type().replace("/", "/msg/");
-          topics.put(topic, types == 1 ? shown : "{with: " + shown + ", type: " + type + "}");
+          topics.put(
+              topic,
+              types.getOrDefault(topic, Set.of()).size() == 1
+                  ? shown
+                  : "{with: " + shown + ", type: " + type + "}");
         });
     return topics;
   }
@@ -269,7 +274,8 @@ public record NewNodeActivity(
                     endpoint.type(),
                     kind == Kind.SERVER ? "provided" : "required"));
       } else {
-        entries.add("{type: " + candidates.get(0) + ", name: " + endpoint.name() + "}");
+        entries.add(
+            "{type: " + candidates.get(0) + ", name: " + YamlScalar.of(endpoint.name()) + "}");
       }
     }
     return entries;

@@ -37,7 +37,8 @@ final class NodeEntries {
    * The wanted entry, or the only one; a program is preferred to a class, because it says how the
    * node is spun.
    *
-   * @throws InvalidInputException if there is none or if there are several
+   * @throws InvalidInputException if there is none
+   * @throws SeveralNodesException if there are several
    */
   NodeEntry choose(@Nullable String wanted) {
     List<NodeEntry> all = all();
@@ -48,7 +49,7 @@ final class NodeEntries {
           .orElseThrow(
               () ->
                   InvalidInputException.of(
-                      "--class " + wanted, "is not in the package; it has " + shown(all)));
+                      "class " + wanted, "is not in the package; it has " + shown(all)));
     }
     List<NodeEntry> mains = all.stream().filter(NodeEntry::isMain).toList();
     List<NodeEntry> first = mains.isEmpty() ? all : mains;
@@ -61,8 +62,7 @@ final class NodeEntries {
                   + " whose constructor takes nothing");
     }
     if (first.size() > 1) {
-      throw InvalidInputException.of(
-          given.name(), "holds several nodes; choose with --class: " + shown(first));
+      throw new SeveralNodesException(given.name(), first.stream().map(NodeEntry::name).toList());
     }
     return first.get(0);
   }

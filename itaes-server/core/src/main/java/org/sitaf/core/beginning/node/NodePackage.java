@@ -1,6 +1,7 @@
 package org.sitaf.core.beginning.node;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -35,16 +36,16 @@ public record NodePackage(String name, boolean isCpp, FileTree files) {
                 () ->
                     InvalidInputException.of(
                         shown, "has no package.xml; name the folder of a ROS 2 package"));
-    Matcher name = NAME.matcher(manifest);
-    if (!name.find()) {
-      throw InvalidInputException.of(shown + "/package.xml", "names no package");
-    }
+    String name =
+        nameIn(manifest)
+            .orElseThrow(
+                () -> InvalidInputException.of(shown + "/package.xml", "names no package"));
     boolean python = uses(files, false, "rclpy");
     boolean cpp = uses(files, true, "rclcpp");
     boolean isChosenCpp = isCpp == null ? cpp : isCpp;
     if (isCpp == null && python && cpp) {
       throw InvalidInputException.of(
-          shown, "holds nodes in Python and in C++; choose with --language python or cpp");
+          shown, "holds nodes in Python and in C++; choose the language python or cpp");
     }
     if (!(isChosenCpp ? cpp : python)) {
       throw InvalidInputException.of(
@@ -54,7 +55,13 @@ public record NodePackage(String name, boolean isCpp, FileTree files) {
               + " that uses "
               + (isCpp == null ? "rclpy or rclcpp" : isCpp ? "rclcpp" : "rclpy"));
     }
-    return new NodePackage(name.group(1), isChosenCpp, files);
+    return new NodePackage(name, isChosenCpp, files);
+  }
+
+  /** The name in a {@code package.xml}. */
+  public static Optional<String> nameIn(String manifest) {
+    Matcher name = NAME.matcher(manifest);
+    return name.find() ? Optional.of(name.group(1)) : Optional.empty();
   }
 
   private static boolean uses(FileTree files, boolean isCpp, String library) {

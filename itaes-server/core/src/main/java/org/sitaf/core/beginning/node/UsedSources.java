@@ -8,6 +8,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sitaf.core.combine.Interruption;
 
 /** Finds the sources of a package that one of its nodes uses, so that other nodes say nothing. */
 final class UsedSources {
@@ -20,10 +21,12 @@ final class UsedSources {
           "^[ \\t]*#[ \\t]*include[ \\t]*[<\"]([^>\"\\n]{1,200})[>\"]", Pattern.MULTILINE);
 
   private final NodePackage given;
+  private final List<String> sources;
   private final SortedSet<String> used = new TreeSet<>();
 
   private UsedSources(NodePackage given) {
     this.given = given;
+    this.sources = given.sources();
   }
 
   /** The paths of the entry's source and of those that it imports or includes. */
@@ -32,6 +35,7 @@ final class UsedSources {
     Deque<String> open = new ArrayDeque<>(List.of(entry.file()));
     while (!open.isEmpty()) {
       String path = open.remove();
+      Interruption.check();
       if (sources.used.add(path)) {
         open.addAll(given.isCpp() ? sources.included(path) : sources.imported(path));
       }
@@ -86,8 +90,9 @@ final class UsedSources {
     SortedSet<String> found = new TreeSet<>();
     Matcher include = INCLUDE.matcher(given.text(path));
     while (include.find()) {
+      Interruption.check();
       String named = include.group(1).replaceFirst("^(?:\\.\\.?/)+", "");
-      for (String source : given.sources()) {
+      for (String source : sources) {
         if (source.equals(named) || source.endsWith("/" + named)) {
           found.add(source);
           found.addAll(namesakes(source));
@@ -99,7 +104,7 @@ final class UsedSources {
 
   private List<String> namesakes(String header) {
     String stem = stem(header);
-    return given.sources().stream().filter(source -> stem(source).equals(stem)).toList();
+    return sources.stream().filter(source -> stem(source).equals(stem)).toList();
   }
 
   private static String stem(String path) {

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.beginning.Proposal;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.sequence.SequenceCall;
@@ -77,14 +78,14 @@ class NewNodeActivityTest {
     return tree(files);
   }
 
-  private static NewNodeActivity.Proposal propose(FileTree files, @Nullable String entry) {
+  private static Proposal propose(FileTree files, @Nullable String entry) {
     NodePackage given = NodePackage.of(files, "follower", null);
     return new NewNodeActivity("a", given, entry, tree(Map.of()), INSTALLED).propose();
   }
 
   @Test
   void takesTopicsServicesActionsAndParametersFromTheSources() {
-    NewNodeActivity.Proposal proposal = propose(python(Map.of()), null);
+    Proposal proposal = propose(python(Map.of()), null);
 
     assertThat(proposal.files().text("activity.yaml").orElseThrow())
         .contains(
@@ -120,15 +121,16 @@ class NewNodeActivityTest {
         .contains("  main: follower.node:main\n");
     FileTree two = python(Map.of("setup.py", one + "#'plan = follower.planner:main'"));
     assertThatThrownBy(() -> propose(two, null))
-        .isInstanceOf(InvalidInputException.class)
-        .hasMessageContaining(
-            "follower: error: holds several nodes; choose with --class: follower.node:main,"
-                + " follower.planner:main");
+        .isInstanceOfSatisfying(
+            SeveralNodesException.class,
+            e ->
+                assertThat(e.nodes())
+                    .containsExactly("follower.node:main", "follower.planner:main"));
     assertThat(propose(two, "follower.planner:main").files().text("activity.yaml").orElseThrow())
         .contains("  /robot/cmd: input.robot_cmd\n")
         .doesNotContain("goal");
     assertThatThrownBy(() -> propose(two, "follower.other:main"))
-        .hasMessageContaining("--class follower.other:main: error: is not in the package; it has");
+        .hasMessageContaining("class follower.other:main: error: is not in the package; it has");
   }
 
   @Test
@@ -255,6 +257,24 @@ class NewNodeActivityTest {
     }
   }
 
+  /** Names in sources are any text. */
+  @Test
+  void namesRemainSingleValuesOfTheProfile() {
+    String node = NODE.replace("'enable'", "\"50%d}, world: {x\"");
+    FileTree named = propose(python(Map.of("follower/node.py", node)), null).files();
+    assertThat(named.text("activity.yaml").orElseThrow())
+        .contains("SetBool.srv, name: '/50%d}, world: {x'}\n");
+    assertThat(Activity.read(named, INSTALLED).world()).isNull();
+    FileTree percent = python(Map.of("follower/%n.py", NODE, "follower/node.py", ""));
+    assertThatThrownBy(() -> propose(percent, null))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("'follower.%n:Follower' is not a class");
+    FileTree deep = python(Map.of("a/".repeat(48) + "notes.txt", ""));
+    assertThatThrownBy(() -> propose(deep, null))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("nested more than 50 folders deep");
+  }
+
   @Test
   void refusesWhatIsNoPackageWithANode() {
     assertThatThrownBy(() -> NodePackage.of(tree(Map.of()), "x/y", null))
@@ -266,7 +286,7 @@ class NewNodeActivityTest {
         .hasMessageContaining("x: error: has no C++ source that uses rclcpp");
     FileTree both = python(Map.of("src/a.cpp", "#include <rclcpp/rclcpp.hpp>"));
     assertThatThrownBy(() -> NodePackage.of(both, "x", null))
-        .hasMessageContaining("choose with --language python or cpp");
+        .hasMessageContaining("choose the language python or cpp");
     FileTree library = python(Map.of("follower/node.py", "import rclpy\n"));
     assertThatThrownBy(() -> propose(library, null))
         .hasMessageContaining(

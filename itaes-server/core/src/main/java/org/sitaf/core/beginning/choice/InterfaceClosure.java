@@ -1,4 +1,4 @@
-package org.sitaf.core.beginning;
+package org.sitaf.core.beginning.choice;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
@@ -13,12 +13,16 @@ import java.util.regex.Pattern;
 import org.sitaf.core.activity.FileTree;
 
 /** The interface files that a file refers to, directly or not. */
-public final class InterfaceClosure {
+final class InterfaceClosure {
+  // Files are untrusted: a pattern must not scan the same characters again from each position.
   private static final Pattern ROS_TYPE =
-      Pattern.compile("^\\s*(?:([A-Za-z]\\w*)/)?(?:msg/)?([A-Z]\\w*)\\b", Pattern.MULTILINE);
+      Pattern.compile(
+          "^[ \\t]{0,100}(?:([A-Za-z]\\w{0,255})/)?(?:msg/)?([A-Z]\\w{0,255})\\b",
+          Pattern.MULTILINE);
   private static final Pattern ROS_FILE =
       Pattern.compile("(?:(.*)/)?([^/]+)/(?:msg|srv|action)/[^/]+\\.(?:msg|srv|action)");
-  private static final Pattern WORD = Pattern.compile("[\\w.-]+\\.(?:idl|proto|xml|msg)\\b");
+  private static final Pattern WORD =
+      Pattern.compile("(?<![\\w.-])[\\w.-]{1,255}\\.(?:idl|proto|xml|msg)\\b");
 
   private InterfaceClosure() {}
 
@@ -29,7 +33,7 @@ public final class InterfaceClosure {
    * @param candidates files next to it, and of its package
    * @param installed interface files of ROS 2 by {@code PACKAGE/msg/NAME.msg}
    */
-  public static FileTree of(String main, FileTree candidates, FileTree installed) {
+  static FileTree of(String main, FileTree candidates, FileTree installed) {
     Map<String, byte[]> needed = new HashMap<>();
     Deque<String> open = new ArrayDeque<>(Set.of(main));
     while (!open.isEmpty()) {

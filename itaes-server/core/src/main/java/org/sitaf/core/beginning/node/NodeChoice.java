@@ -1,0 +1,75 @@
+package org.sitaf.core.beginning.node;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
+
+/**
+ * The ROS 2 package of a new activity.
+ *
+ * @param siblings interface files of the packages next to it
+ */
+public record NodeChoice(NodePackage chosen, FileTree siblings) {
+  /** Folders of interface files, which have the same extension. */
+  public static final List<String> INTERFACE_FOLDERS = List.of("msg", "srv", "action");
+
+  private static final Set<String> RESULTS_OF_BUILDS = Set.of("build", "install", "log");
+
+  /**
+   * Chooses a package.
+   *
+   * @param folder content of the folder of {@code package.xml}
+   * @param beside content of the folder above it, of which only the interface files of packages are
+   *     used
+   * @param shown how messages name the folder
+   * @param language Python or C++; null if the package decides
+   * @throws InvalidInputException if it is no package with a node
+   */
+  public static NodeChoice of(
+      FileTree folder, FileTree beside, String shown, @Nullable Language language) {
+    Map<String, byte[]> sources = new HashMap<>();
+    folder.paths().stream()
+        .filter(NodeChoice::isSource)
+        .forEach(path -> sources.put(path, folder.content(path).orElseThrow()));
+    NodePackage chosen =
+        NodePackage.of(
+            FileTree.of(sources), shown, language == null ? null : language == Language.CPP);
+    Map<String, byte[]> siblings = new HashMap<>();
+    beside.paths().stream()
+        .filter(path -> isInterfaceOfSibling(path, chosen.name(), beside))
+        .forEach(path -> siblings.put(path, beside.content(path).orElseThrow()));
+    return new NodeChoice(chosen, FileTree.of(siblings));
+  }
+
+  /** Whether a path is neither hidden nor a result of a build. */
+  private static boolean isSource(String path) {
+    List<String> parts = List.of(path.split("/", -1));
+    return !(parts.size() > 1 && RESULTS_OF_BUILDS.contains(parts.get(0)))
+        && parts.stream().noneMatch(part -> part.startsWith(".") || part.equals("__pycache__"));
+  }
+
+  private static boolean isInterfaceOfSibling(String path, String own, FileTree beside) {
+    List<String> parts = List.of(path.split("/", -1));
+    return parts.size() == 3
+        && !parts.get(0).equals(own)
+        && INTERFACE_FOLDERS.contains(parts.get(1))
+        && parts.get(2).endsWith("." + parts.get(1))
+        && beside.contains(parts.get(0) + "/package.xml");
+  }
+
+  /**
+   * The activity of the package.
+   *
+   * @param name of the activity
+   * @param entry class or main of the node; null for the only one
+   * @param installed interface files of ROS 2
+   */
+  public NewNodeActivity activity(String name, @Nullable String entry, FileTree installed) {
+    return new NewNodeActivity(name, chosen, entry, siblings, installed);
+  }
+}
