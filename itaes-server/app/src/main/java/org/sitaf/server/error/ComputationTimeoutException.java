@@ -9,7 +9,7 @@ public final class ComputationTimeoutException extends RuntimeException {
         what
             + " took longer than "
             + limitSeconds
-            + " s and was cancelled: give the parameters fewer values, lower the strength, or"
-            + " simplify the conditions");
+            + " s and was cancelled: simplify the input; a test model needs fewer values, a lower"
+            + " strength or simpler conditions, an interface or package fewer files");
   }
 }

@@ -10,6 +10,6 @@ import org.sitaf.core.activity.FileTree;
  */
 public record Proposal(FileTree files, List<String> notes) {
   public Proposal {
-    notes = List.copyOf(notes);
+    notes = notes.stream().distinct().toList();
   }
 }
