@@ -124,6 +124,26 @@ describe('causes of failures', () => {
     expect(server.requests).toContain('POST /api/v1/builds/b1/explanation/causes/3/run');
   });
 
+  test('are shown ten at a time', async () => {
+    const causes = Array.from({ length: 25 }, (_, n): Cause => ({
+      ...OF_ALL,
+      parameters: [{ name: 'Distance', literal: `${n}` }],
+      sentence: `fails where Distance is ${n}`,
+      cases: [n + 1],
+    }));
+    const cases = [resultCase(1, 'FAIL')];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    server.analyses.set('b1 explanation', analysis({ explanation: { ...EXPLANATION, causes } }));
+    const { user } = openPortal(server, '/builds/b1');
+    expect(await screen.findByRole('group', { name: 'Cause 10' })).toBeVisible();
+    expect(screen.queryByRole('group', { name: 'Cause 11' })).toBeNull();
+    expect(screen.getByText('10 of 25 are shown.')).toBeVisible();
+    await user.click(screen.getByRole('button', { name: 'Show 15 more causes' }));
+    expect(await screen.findByRole('group', { name: 'Cause 25' })).toBeVisible();
+    expect(screen.queryByRole('button', { name: /more causes/ })).toBeNull();
+  });
+
   test('are shown if an answer from before the request arrives after it', async () => {
     const cases = [resultCase(1, 'FAIL')];
     server.cases.set('b1', cases);
@@ -182,6 +202,26 @@ describe('the failing region', () => {
       ['both', 'unknown'],
       ['passes', 'fails'],
     ]);
+  });
+
+  test('shows the values around that of the cause if there are many', () => {
+    const values = Array.from({ length: 100 }, (_, n) => `${n}`);
+    const region = regionOf(
+      { ...CAUSE, parameters: [{ name: 'Distance', literal: '90' }] },
+      {
+        ...EXPLANATION,
+        further: [{ values: ['1', '1', '90'], failed: true }],
+        inputs: EXPLANATION.inputs.map((input) =>
+          input.name === 'Distance' ? { ...input, values } : input,
+        ),
+      },
+      [
+        { values: ['1', '2', '90'], failed: false },
+        { values: ['1', '2', '3'], failed: true },
+      ],
+    );
+    expect(region?.columns).toEqual(values.slice(76));
+    expect(region?.cells.flat().filter((state) => state !== 'unknown')).toEqual(['both']);
   });
 
   test('needs two inputs that vary', () => {

@@ -1,5 +1,5 @@
 import { Anchor, Button, Group, Paper, Stack, Text } from '@mantine/core';
-import type { ReactNode } from 'react';
+import { useState, type ReactNode } from 'react';
 import type { Build, BuildAnalysis, Explanation } from '@/shared/api';
 import { ProblemAlert, Section, UserText } from '@/shared/ui';
 import { AnalysisButton, AnalysisProgress } from './AnalysisProgress';
@@ -66,11 +66,18 @@ interface CausesProps extends CausePanelProps {
   explanation: Explanation;
 }
 
+/** A reader looks at the first causes; drawing hundreds of them takes seconds. */
+const SHOWN_CAUSES = 10;
+const MORE_CAUSES = 50;
+
 function Causes({ build, explanation, cases, caseLink, onBuild }: CausesProps) {
   const { causes, executions, unexplained } = explanation;
+  const [shownCauses, setShownCauses] = useState(SHOWN_CAUSES);
+  const groups = groupsOf(causes);
+  const left = groups.length - shownCauses;
   return (
     <Stack gap="md">
-      {groupsOf(causes).map((group) => (
+      {groups.slice(0, shownCauses).map((group) => (
         <CauseDetails
           key={group.position}
           build={build}
@@ -81,6 +88,22 @@ function Causes({ build, explanation, cases, caseLink, onBuild }: CausesProps) {
           onBuild={onBuild}
         />
       ))}
+      {left > 0 && (
+        <Group gap="sm">
+          <Button
+            variant="default"
+            size="xs"
+            onClick={() => {
+              setShownCauses(shownCauses + MORE_CAUSES);
+            }}
+          >
+            {`Show ${Math.min(left, MORE_CAUSES)} more causes`}
+          </Button>
+          <Text size="sm" c="dimmed">
+            {`${shownCauses} of ${groups.length} are shown.`}
+          </Text>
+        </Group>
+      )}
       {unexplained.length > 0 && (
         <Text size="sm">
           Not explained: <CaseNumbers cases={unexplained} caseLink={caseLink} />. The failures are

@@ -59,23 +59,22 @@ export function regionOf(
     .sort((a, b) => Number(b.numeric) - Number(a.numeric) || b.values.length - a.values.length);
   const [x, y] = [...own, ...others];
   if (cause.steps.length > 0 || own.length === 0 || !x || !y) return null;
-  const columns = levelsOf(x);
-  const rows = levelsOf(y);
+  const columns = levelsOf(x, cause);
+  const rows = levelsOf(y, cause);
   const at = (name: string) => inputs.findIndex((input) => input.name === name);
   const [column, row] = [at(x.name), at(y.name)];
-  const seen = new Map<string, { failed: boolean; passed: boolean }>();
+  // Of a hundred thousand cases, most are outside of the shown values.
+  const columnOf = new Map(columns.map((literal, index) => [literal, index]));
+  const rowOf = new Map(rows.map((literal, index) => [literal, index]));
+  const cells = rows.map(() => columns.map((): CellState => 'unknown'));
   for (const { values, failed } of [...cases, ...further]) {
-    const key = keyOf(values[column] ?? '', values[row] ?? '');
-    const before = seen.get(key) ?? { failed: false, passed: false };
-    seen.set(key, { failed: before.failed || failed, passed: before.passed || !failed });
+    const c = columnOf.get(values[column] ?? '');
+    const line = cells[rowOf.get(values[row] ?? '') ?? -1];
+    if (c === undefined || !line) continue;
+    const state = failed ? 'fails' : 'passes';
+    line[c] = line[c] === 'unknown' || line[c] === state ? state : 'both';
   }
-  return {
-    x: x.name,
-    y: y.name,
-    columns,
-    rows,
-    cells: rows.map((r) => columns.map((c) => stateOf(seen.get(keyOf(c, r))))),
-  };
+  return { x: x.name, y: y.name, columns, rows, cells };
 }
 
 function concerns(cause: Cause, name: string): boolean {
@@ -83,19 +82,16 @@ function concerns(cause: Cause, name: string): boolean {
   return (cause.relation ?? '').split(/[^\w.[\]]+/).includes(name);
 }
 
-function stateOf(seen: { failed: boolean; passed: boolean } | undefined): CellState {
-  if (!seen) return 'unknown';
-  if (seen.failed && seen.passed) return 'both';
-  return seen.failed ? 'fails' : 'passes';
-}
-
-function keyOf(x: string, y: string): string {
-  return JSON.stringify([x, y]);
-}
-
-/** Numbers ascend; other literals keep their order. */
-function levelsOf({ numeric, values }: Explanation['inputs'][number]): string[] {
+/** Numbers ascend; other literals keep their order. Of many, those around the value of the cause. */
+function levelsOf(
+  { name, numeric, values }: Explanation['inputs'][number],
+  cause: Cause,
+): string[] {
   const levels = [...values];
   if (numeric) levels.sort((a, b) => Number(a) - Number(b));
-  return levels.slice(0, MAX_LEVELS);
+  const own = cause.parameters.find((parameter) => parameter.name === name)?.literal;
+  const middle = own === undefined ? 0 : levels.indexOf(own);
+  const last = Math.max(0, levels.length - MAX_LEVELS);
+  const first = Math.max(0, Math.min(middle - MAX_LEVELS / 2, last));
+  return levels.slice(first, first + MAX_LEVELS);
 }
