@@ -1,4 +1,7 @@
-"""Builds C++ nodes and runs them as the test application does; the runtime of nodes is built once a session."""
+"""Builds C++ nodes and runs them as the test application does; the runtime of nodes is built once a session.
+
+SITAF_ROS2_SANITIZE names sanitizers for all of them; their libraries must be loaded before Python.
+"""
 
 import functools
 import hashlib
@@ -53,6 +56,8 @@ def build_node(package, entry, into, is_main=True, *further):
     scratch = into / "scratch"
     scratch.mkdir(parents=True, exist_ok=True)
     options = ["--into", into, "--runtime", runtime(), "--scratch", scratch, "--package", package, "--entry", entry]
+    if sanitizers := os.environ.get("SITAF_ROS2_SANITIZE", "").split():
+        further = (*further, "--sanitize", *sanitizers)
     return build("node", *options, *(["--main"] if is_main else []), *further)
 
 
