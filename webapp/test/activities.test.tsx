@@ -135,6 +135,49 @@ describe('the activities', () => {
     expect(server.uploads).toEqual([]);
   });
 
+  test('take further files into a folder, and show the first one', async () => {
+    server.activities.push(activity('a1'));
+    const { user, history } = openPortal(server, '/activities/a1?tab=files');
+    await user.type(await screen.findByLabelText('Folder of added files'), '/world/');
+    await user.upload(screen.getByLabelText('Files to add'), [
+      new File(['mjcf: arm.xml'], 'arm.world.yaml'),
+      new File(['<mujoco/>'], 'arm.xml'),
+    ]);
+    const files = await screen.findByRole('navigation', { name: 'Files of the activity' });
+    expect(await within(files).findByText('world/arm.world.yaml')).toBeVisible();
+    expect(within(files).getByText('world/arm.xml')).toBeVisible();
+    expect(history.location.search).toBe('?tab=files&file=world%2Farm.world.yaml');
+  });
+
+  test('keep their files if they have changed in the meantime', async () => {
+    server.activities.push(activity('a1'));
+    const { user } = openPortal(server, '/activities/a1?tab=files');
+    const input = await screen.findByLabelText('Files to add');
+    const [changed] = server.activities;
+    if (changed) server.activities[0] = { ...changed, version: 2 };
+    await user.upload(input, new File(['x'], 'x.xml'));
+    expect(await screen.findByRole('alert', { name: 'The files were not added' })).toBeVisible();
+    expect(server.activities[0]?.files.map(({ path }) => path)).not.toContain('x.xml');
+  });
+
+  test('lose a file after a second press, but never their profile', async () => {
+    server.activities.push(activity('a1'));
+    server.files.set('GetInfraredData.xml', '<test_model/>');
+    server.files.set('activity.yaml', 'name: ir-sensor');
+    const { user, history } = openPortal(
+      server,
+      '/activities/a1?tab=files&file=GetInfraredData.xml',
+    );
+    await user.click(await screen.findByRole('button', { name: 'Delete GetInfraredData.xml' }));
+    await user.click(screen.getByRole('button', { name: 'Confirm: Delete GetInfraredData.xml' }));
+    await waitFor(() => {
+      expect(history.location.search).toBe('?tab=files');
+    });
+    expect(await screen.findByLabelText('Text of activity.yaml')).toBeVisible();
+    expect(screen.queryByRole('button', { name: /^Delete/ })).toBeNull();
+    expect(server.activities[0]?.files.map(({ path }) => path)).toEqual(['activity.yaml']);
+  });
+
   test('show the problems of a zip file', async () => {
     server.refusal = [
       {

@@ -87,6 +87,30 @@ def test_an_activity_gets_tags_and_is_found_by_them(page):
     expect(rows).to_contain_text("gripper")
 
 
+def test_files_are_added_to_an_activity_and_deleted(page):
+    page.goto(home_of(page) + "/activities")
+    folder = EXAMPLES / "gripper"
+    files = {str(f.relative_to(folder)): f.read_text() for f in folder.rglob("*") if f.is_file()}
+    files["activity.yaml"] = files["activity.yaml"].replace("name: gripper", "name: extended")
+    drop(page.get_by_role("group", name="Upload an activity"), {"extended.zip": zipped(files)})
+    page.get_by_role("status").get_by_role("link", name="extended").click()
+    page.get_by_role("tab", name="Files").click()
+    page.get_by_label("Folder of added files").fill("notes/2026")
+    page.get_by_label("Files to add").set_input_files(
+        [
+            {"name": "limits.md", "mimeType": "text/markdown", "buffer": b"# Limits of the gripper"},
+            {"name": "photo.png", "mimeType": "image/png", "buffer": bytes(range(256))},
+        ]
+    )
+    listed = page.get_by_role("navigation", name="Files of the activity")
+    listed.get_by_text("notes/2026/photo.png").wait_for()
+    page.get_by_text("# Limits of the gripper").wait_for()
+    page.get_by_role("button", name="Delete notes/2026/limits.md").click()
+    page.get_by_role("button", name="Confirm: Delete notes/2026/limits.md").click()
+    expect(listed.get_by_text("notes/2026/limits.md")).to_have_count(0)
+    expect(listed.get_by_text("notes/2026/photo.png")).to_have_count(1)
+
+
 def test_a_schedule_is_created_paused_resumed_and_run(page):
     page.goto(home_of(page) + "/schedules")
     page.get_by_label("Calendar name").fill("weekend")

@@ -1,5 +1,6 @@
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
+import { unzipSync } from 'fflate';
 import type {
   Activity,
   ActivityDescription,
@@ -312,15 +313,32 @@ export class FakeServer {
     }),
     'PATCH activities * files': ({ path, body }) => {
       const { changes } = JSON.parse(body.toString()) as {
-        changes: { path: string; content: string }[];
+        changes: { path: string; content?: string }[];
       };
+      const changed = this.activities.find(({ id }) => id === path[1]);
       for (const change of changes) {
+        if (change.content === undefined) {
+          if (changed) changed.files = changed.files.filter((file) => file.path !== change.path);
+          continue;
+        }
         this.files.set(change.path, change.content);
         if (change.path.endsWith('.xml')) {
           this.models.set(change.path.replace('.xml', ''), change.content);
         }
       }
-      return found(this.activities.find(({ id }) => id === path[1]));
+      return found(changed);
+    },
+    'POST activities * files': ({ path, body, request }) => {
+      const changed = this.activities.find(({ id }) => id === path[1]);
+      if (!changed) return notFound();
+      if (request.headers['if-match'] !== `"${changed.version}"`) {
+        return { status: 412, problem: true, json: { title: 'Outdated', status: 412 } };
+      }
+      for (const [added, bytes] of Object.entries(unzipSync(body))) {
+        changed.files.push({ path: added, size: bytes.length, sha256: 'c'.repeat(64) });
+      }
+      changed.version++;
+      return { status: 200, json: changed };
     },
     'GET activities * description': () => ({ status: 200, json: this.description }),
     'POST activities * model-previews': ({ body }) => {

@@ -70,8 +70,9 @@ export function ActivityPage() {
         <ActivityFiles
           activity={data}
           path={shown.file}
+          mayChange={mayBuild}
           onPath={(file) => {
-            show({ tab: 'files', file });
+            show(withoutAbsent<ActivitySearch>({ tab: 'files', file }));
           }}
         />
       ),

@@ -1,46 +1,89 @@
 import { Button, Group, Stack, Text } from '@mantine/core';
-import { useState } from 'react';
+import { useState, type ReactNode } from 'react';
 import type { Activity } from '@/shared/api';
 import { formatCount } from '@/shared/lib/format';
-import { CodeEditor, Loading, ProblemAlert, UserText } from '@/shared/ui';
+import { CodeEditor, ConfirmedButton, Loading, ProblemAlert, UserText } from '@/shared/ui';
 import classes from './activities.module.css';
+import { AddFiles } from './AddFiles';
 import { useChangeFiles, useFileText } from './queries';
 
 interface ActivityFilesProps {
   activity: Activity;
   path?: string | undefined;
-  onPath: (path: string) => void;
+  onPath: (path: string | undefined) => void;
+  mayChange: boolean;
 }
 
 const TEXT =
   /\.(java|c|cc|cpp|cxx|h|hpp|hxx|idl|proto|py|xml|xsd|ya?ml|txt|md|json|csv|msg|srv|action|urdf|cfg|ini|toml|properties|cmake)$/i;
 
 /** The files of an activity (Fig. 13(e)), and an editor for the selected file. */
-export function ActivityFiles({ activity, path, onPath }: ActivityFilesProps) {
+export function ActivityFiles({ activity, path, onPath, mayChange }: ActivityFilesProps) {
   const selected =
     activity.files.find((file) => file.path === path) ??
     activity.files.find((file) => file.path === 'activity.yaml');
+  // Here, not in the editor, which is gone when its file is.
+  const removal = useChangeFiles(activity.id);
   return (
     <div className={classes.files}>
-      <nav aria-label="Files of the activity">
-        {activity.files.map((file) => (
-          <button
-            key={file.path}
-            type="button"
-            className={classes.file}
-            aria-current={file === selected}
-            onClick={() => {
-              onPath(file.path);
-            }}
-          >
-            <UserText>{file.path}</UserText>{' '}
-            <Text span size="xs" c="dimmed">
-              {formatCount(file.size)}
-            </Text>
-          </button>
-        ))}
-      </nav>
-      {selected && <FileEditor key={selected.path} activity={activity} file={selected} />}
+      <Stack gap="md">
+        {mayChange && <AddFiles activity={activity} onPath={onPath} />}
+        <nav aria-label="Files of the activity">
+          {activity.files.map((file) => (
+            <button
+              key={file.path}
+              type="button"
+              className={classes.file}
+              aria-current={file === selected}
+              onClick={() => {
+                onPath(file.path);
+              }}
+            >
+              <UserText>{file.path}</UserText>{' '}
+              <Text span size="xs" c="dimmed">
+                {formatCount(file.size)}
+              </Text>
+            </button>
+          ))}
+        </nav>
+      </Stack>
+      <Stack gap="sm">
+        {removal.isError && (
+          <ProblemAlert
+            title={`${removal.variables.changes[0]?.path ?? ''} was not deleted`}
+            error={removal.error}
+            onClose={removal.reset}
+          />
+        )}
+        {selected && (
+          <FileEditor
+            key={selected.path}
+            activity={activity}
+            file={selected}
+            remove={
+              mayChange &&
+              selected.path !== 'activity.yaml' && (
+                <ConfirmedButton
+                  size="xs"
+                  label="Delete"
+                  name={selected.path}
+                  loading={removal.isPending}
+                  onConfirm={() => {
+                    removal.mutate(
+                      { changes: [{ path: selected.path }], version: activity.version },
+                      {
+                        onSuccess: () => {
+                          onPath(undefined);
+                        },
+                      },
+                    );
+                  }}
+                />
+              )
+            }
+          />
+        )}
+      </Stack>
     </div>
   );
 }
@@ -48,9 +91,11 @@ export function ActivityFiles({ activity, path, onPath }: ActivityFilesProps) {
 interface FileEditorProps {
   activity: Activity;
   file: Activity['files'][number];
+  /** A button that deletes the file, if it may be deleted. */
+  remove: ReactNode;
 }
 
-function FileEditor({ activity, file }: FileEditorProps) {
+function FileEditor({ activity, file, remove }: FileEditorProps) {
   const [initial] = useState({ version: activity.version, sha256: file.sha256 });
   const [base, setBase] = useState(initial);
   const [edited, setEdited] = useState<string>();
@@ -62,9 +107,12 @@ function FileEditor({ activity, file }: FileEditorProps) {
     .join('/')}`;
   if (!TEXT.test(file.path)) {
     return (
-      <Text>
-        This file is not a text file. <a href={address}>Download</a>
-      </Text>
+      <Stack gap="sm" align="start">
+        <Text>
+          This file is not a text file. <a href={address}>Download</a>
+        </Text>
+        {remove}
+      </Stack>
     );
   }
   if (content.isPending) return <Loading what="the file" />;
@@ -80,6 +128,7 @@ function FileEditor({ activity, file }: FileEditorProps) {
           {changed && ' (unsaved changes)'}
         </Text>
         <Group gap="xs">
+          {remove}
           <Button component="a" href={address} size="xs" variant="default">
             Download
           </Button>

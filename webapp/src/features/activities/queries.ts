@@ -89,8 +89,8 @@ export function useFileText(id: string, path: string, sha256: string) {
       const bytes = await dataOf(
         api.GET('/api/v1/activities/{id}/files/{path}', {
           params: { path: { id, path: address } },
-          pathSerializer: (_, values) =>
-            `/api/v1/activities/${encodeURIComponent(id)}/files/${String(values['path'])}`,
+          pathSerializer: (template) =>
+            template.replace('{id}', () => encodeURIComponent(id)).replace('{path}', () => address),
           parseAs: 'arrayBuffer',
           signal,
         }),
@@ -121,6 +121,36 @@ export function useChangeFiles(id: string) {
       ),
     onSuccess: () => cache.invalidateQueries({ queryKey: ACTIVITIES }),
   });
+}
+
+/** Adds files to an activity if it still has the given version; those of the same paths are replaced. */
+export function useAddFiles(id: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: async ({ files, version }: { files: readonly AddedFile[]; version: number }) => {
+      const { zipSync } = await import('fflate');
+      const contents = await Promise.all(
+        files.map(async ({ path, file }) => [path, new Uint8Array(await file.arrayBuffer())]),
+      );
+      const zip = new Blob([zipSync(Object.fromEntries(contents) as Record<string, Uint8Array>)]);
+      return dataOf(
+        api.POST('/api/v1/activities/{id}/files', {
+          params: { path: { id }, header: { 'If-Match': `"${version}"` } },
+          body: zip as unknown as string,
+          bodySerializer: () => zip,
+          headers: { 'Content-Type': 'application/zip' },
+        }),
+      );
+    },
+    onSuccess: () => cache.invalidateQueries({ queryKey: ACTIVITIES }),
+  });
+}
+
+export interface AddedFile {
+  /** In the activity. */
+  path: string;
+  file: File;
 }
 
 /** Creates an activity from a zip file, which the server checks first. */

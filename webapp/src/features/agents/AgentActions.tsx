@@ -1,7 +1,6 @@
 import { Button, Group, Stack } from '@mantine/core';
-import { useState } from 'react';
 import type { Agent } from '@/shared/api';
-import { ProblemAlert } from '@/shared/ui';
+import { ConfirmedButton, ProblemAlert } from '@/shared/ui';
 import { useRemoveAgent, useSetAgentState } from './queries';
 
 /** Actions of administrators on an agent. *Disable* and *Remove* need a confirmation. */
@@ -60,32 +59,5 @@ export function AgentActions({ agent }: { agent: Agent }) {
         />
       )}
     </Stack>
-  );
-}
-
-interface ConfirmedButtonProps {
-  label: string;
-  name: string;
-  onConfirm: () => void;
-}
-
-function ConfirmedButton({ label, name, onConfirm }: ConfirmedButtonProps) {
-  const [confirming, setConfirming] = useState(false);
-  return (
-    <Button
-      size="compact-xs"
-      variant={confirming ? 'filled' : 'default'}
-      {...(confirming && { color: 'red.9' })}
-      aria-label={confirming ? `Confirm: ${label} ${name}` : `${label} ${name}`}
-      onClick={() => {
-        if (confirming) onConfirm();
-        setConfirming(!confirming);
-      }}
-      onBlur={() => {
-        setConfirming(false);
-      }}
-    >
-      {confirming ? `Confirm: ${label}` : label}
-    </Button>
   );
 }

@@ -112,7 +112,7 @@ export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
       </Group>
       <Text size="sm" c="dimmed">
         The proposal has no world. <Code>./sitaf new --robot FILE</Code> proposes one for a robot; a
-        world that exists is added under “Files that I have”.
+        world that exists is added in the tab Files of the activity.
       </Text>
     </ProposalForm>
   );

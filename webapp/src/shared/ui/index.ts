@@ -1,6 +1,7 @@
 export { Age } from './Age';
 export { Breadcrumb } from './Breadcrumb';
 export { ButtonLink } from './ButtonLink';
+export { ConfirmedButton } from './ConfirmedButton';
 export { Chart } from './charts/Chart';
 export type { LineMark } from './code/editor';
 export { CodeEditor } from './code/CodeEditor';

@@ -92,6 +92,31 @@ class AuthoringController {
     return activities.inspect(id, ActivityView::of);
   }
 
+  @PostMapping(path = "/activities/{id}/files", consumes = ZIP)
+  @Operation(
+      operationId = "addFiles",
+      summary = "Adds the files of a zip to an activity, and replaces those of the same paths",
+      description = "Nothing is changed if the activity would have errors.",
+      requestBody =
+          @io.swagger.v3.oas.annotations.parameters.RequestBody(
+              required = true,
+              content =
+                  @Content(mediaType = ZIP, schema = @Schema(type = "string", format = "binary"))))
+  ActivityView addFiles(
+      @PathVariable String id,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
+      @Parameter(hidden = true) HttpServletRequest request)
+      throws IOException {
+    activities.require(id);
+    Requests.Expected version = Requests.expected(ifMatch);
+    return uploads.unpackWhole(
+        request,
+        files -> {
+          activities.add(id, files, version);
+          return activities.inspect(id, ActivityView::of);
+        });
+  }
+
   @GetMapping("/tags")
   @Operation(operationId = "listTags", summary = "Lists the tags of all activities, by name")
   List<Tags.Use> tags() {

@@ -15,6 +15,7 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFile;
@@ -182,6 +183,25 @@ public class StoredActivities {
    */
   void change(String id, FileChanges changes, Requests.Expected expected) {
     change(id, expected, changes::applyTo);
+  }
+
+  /**
+   * Adds files, which replace those of the same paths, if the activity has no errors with them.
+   *
+   * @param expected the version to which they are added
+   * @throws RequestException if the activity has another version
+   */
+  void add(String id, FileTree files, Requests.Expected expected) {
+    change(
+        id,
+        expected,
+        tree -> {
+          try {
+            return tree.with("", files);
+          } catch (IllegalArgumentException e) {
+            throw InvalidInputException.of("the added files", String.valueOf(e.getMessage()));
+          }
+        });
   }
 
   /**

@@ -106,6 +106,7 @@ class LimitsTest extends ServerTest {
         List.of(
             "POST /api/v1/activities@application/zip",
             "POST /api/v1/activity-checks@application/zip",
+            "POST /api/v1/activities/x/files@application/zip",
             "POST /api/v1/activity-proposals?name=x@application/zip",
             "POST /api/v1/builds@application/json",
             "PUT /api/v1/activities/x/models/y@application/xml")) {

@@ -79,6 +79,35 @@ class AuthoringStoryTest extends ServerTest {
     patch(activity + "/files", changes(Map.of("../x", "")), "*").expect(422);
   }
 
+  private Api.Answer add(Map<String, byte[]> files, String version) {
+    return api.send(
+        api.request(activity + "/files")
+            .header("Content-Type", "application/zip")
+            .header("If-Match", version)
+            .POST(BodyPublishers.ofByteArray(Activities.zip(files))));
+  }
+
+  @Test
+  void filesAreAddedTogetherOrNotAtAll() {
+    String version = version(activity);
+    byte[] mesh = {0, 1, (byte) 0xff};
+    JsonNode added = add(Map.of("world/meshes/arm.stl", mesh), version).expect(200).json();
+    assertThat(added.get("files"))
+        .extracting(file -> file.get("path").asString())
+        .as("a folder that contains all of them stays")
+        .contains("world/meshes/arm.stl", "activity.yaml");
+    assertThat(api.get(activity + "/files/world/meshes/arm.stl").bytes()).isEqualTo(mesh);
+    add(Map.of("x", mesh), version).expect(412);
+    byte[] bad = "name: ir".getBytes(StandardCharsets.UTF_8);
+    add(Map.of("y", mesh, "activity.yaml", bad), "*").expect(422);
+    assertThat(add(Map.of("activity.yaml/y", mesh), "*").expect(422).text())
+        .contains("the added files");
+    assertThat(api.get(activity).json().get("files"))
+        .extracting(file -> file.get("path").asString())
+        .doesNotContain("x", "y", "activity.yaml/y");
+    api.post("/api/v1/activities/none/files", "application/zip", Activities.zip()).expect(428);
+  }
+
   @Test
   void filesAreCheckedWithoutBeingStored() {
     Map<String, byte[]> files = Activities.files();
