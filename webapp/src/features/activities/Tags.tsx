@@ -75,7 +75,8 @@ export function ActivityTags({
       {mayChange && (
         <Button
           size="compact-xs"
-          variant="subtle"
+          variant="transparent"
+          px={0}
           onClick={() => {
             setEdited([...activity.tags]);
           }}
