@@ -7,7 +7,7 @@ import { Section } from '@/shared/ui';
 export function NewActivityPage() {
   const navigate = useNavigate();
   return (
-    <Stack gap="lg">
+    <Stack gap="lg" maw={800}>
       <title>New activity · SITAF</title>
       <Title order={1} size="h2">
         New test activity
