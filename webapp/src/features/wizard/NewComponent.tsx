@@ -3,6 +3,7 @@ import { useId } from 'react';
 import type { Activity } from '@/shared/api';
 import { languageOf, LANGUAGES } from './draft';
 import { FilePicker } from './FilePicker';
+import { NameField } from './NameField';
 import { fileOf, interfacesIn, requestOfComponent, type ComponentDraft } from './proposal';
 import { ProposalForm } from './ProposalForm';
 
@@ -30,13 +31,10 @@ export function NewComponent({ draft, set, onCreated }: NewComponentProps) {
   const candidates = interfacesIn(draft.files);
   return (
     <ProposalForm request={requestOfComponent(draft)} onCreated={onCreated}>
-      <TextInput
-        label="Name of the activity"
-        description="Letters, digits, ., _ and -"
-        required
-        value={draft.name}
-        onChange={(event) => {
-          set({ name: event.currentTarget.value });
+      <NameField
+        name={draft.name}
+        onName={(name) => {
+          set({ name });
         }}
       />
       <div>

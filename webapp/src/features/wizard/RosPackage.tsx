@@ -1,7 +1,8 @@
-import { NativeSelect, Text, TextInput } from '@mantine/core';
+import { NativeSelect, Text } from '@mantine/core';
 import { useState } from 'react';
 import type { Activity } from '@/shared/api';
 import { FilePicker } from './FilePicker';
+import { NameField } from './NameField';
 import {
   folderOf,
   nodesFirst,
@@ -36,13 +37,10 @@ export function RosPackage({ draft, set, onCreated }: RosPackageProps) {
         set({ node: several[0] ?? '' });
       }}
     >
-      <TextInput
-        label="Name of the activity"
-        description="Letters, digits, ., _ and -"
-        required
-        value={draft.name}
-        onChange={(event) => {
-          set({ name: event.currentTarget.value });
+      <NameField
+        name={draft.name}
+        onName={(name) => {
+          set({ name });
         }}
       />
       <FilePicker

@@ -15,6 +15,7 @@ import type { Activity, Diagnostic } from '@/shared/api';
 import { Diagnostics, ProblemAlert, Section, UserText } from '@/shared/ui';
 import { languageOf, LANGUAGES, suggestedClass, pathsOf, type WizardDraft } from './draft';
 import { FilePicker } from './FilePicker';
+import { NameField } from './NameField';
 import { useCheck, useCreateActivity } from './queries';
 
 const LAST_STEP = 3;
@@ -112,14 +113,11 @@ function Problems({ items }: { items: readonly Diagnostic[] }) {
 function ComponentStep({ draft, set, problems }: StepProps) {
   return (
     <Stack gap="md">
-      <TextInput
-        label="Name of the activity"
-        description="Letters, digits, ., _ and -"
-        required
-        value={draft.name}
+      <NameField
+        name={draft.name}
         error={problemOf(problems, 'name', draft.name)}
-        onChange={(event) => {
-          set({ name: event.currentTarget.value });
+        onName={(name) => {
+          set({ name });
         }}
       />
       <Textarea

@@ -56,7 +56,10 @@ def _take(process: int) -> str:
 
 
 def cause(text: str) -> str:
-    """Return the kind of the first error in a report and its first line in the node's sources."""
+    """Return the kind of the first error in a report and its first line in the node's sources.
+
+    As `SanitizerReport` of the agent, which reads the reports of processes that end with their component.
+    """
     kind = place = ""
     for line in text.splitlines():
         if not kind:

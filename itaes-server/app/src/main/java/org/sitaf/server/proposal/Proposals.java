@@ -105,12 +105,12 @@ class Proposals {
           "has no package.xml; name the folder of a ROS 2 package as node: "
               + (folders.isEmpty() ? "the archive has none" : shown(folders)));
     }
-    FileTree beside =
+    FileTree parent =
         isTop
             ? FileTree.of(Map.of())
             : given.below(folder.substring(0, Math.max(0, folder.lastIndexOf('/'))));
     Proposal proposal =
-        NodeChoice.of(content, beside, isTop ? ARCHIVE : folder, request.language())
+        NodeChoice.of(content, parent, isTop ? ARCHIVE : folder, request.language())
             .activity(request.name(), request.className(), installed.files())
             .propose();
     return ProposalView.of(proposal, path -> path.startsWith(SOURCES));

@@ -60,10 +60,11 @@ final class GivenFiles {
       throw InvalidInputException.of(
           "--node " + folder, "is not a folder; name the folder of " + MANIFEST);
     }
-    return NodeChoice.of(UserFiles.folder(folder), beside(folder), folder.toString(), language);
+    return NodeChoice.of(
+        UserFiles.folder(folder), interfacesInParent(folder), folder.toString(), language);
   }
 
-  private static FileTree beside(Path folder) throws IOException {
+  private static FileTree interfacesInParent(Path folder) throws IOException {
     Path above = folder.toAbsolutePath().normalize().getParent();
     Map<String, byte[]> files = new HashMap<>();
     if (above == null) {

@@ -2,9 +2,8 @@ package org.sitaf.core.beginning.choice;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.sitaf.core.beginning.node.NodeChoice;
 
 /**
  * Where an interface file and the files that it refers to lie: in a package of ROS 2, or next to
@@ -15,8 +14,6 @@ import java.util.stream.Stream;
  * @param folders folders of the files that it can refer to, and of the manifest of its package
  */
 public record InterfacePlace(String base, String path, List<String> folders) {
-  private static final Set<String> ROS_FOLDERS = new TreeSet<>(List.of("msg", "srv", "action"));
-
   public InterfacePlace {
     folders = List.copyOf(folders);
   }
@@ -29,14 +26,16 @@ public record InterfacePlace(String base, String path, List<String> folders) {
   public static InterfacePlace of(String path) {
     String folder = parent(path);
     String ros = parent(folder);
-    if (ros.isEmpty() || !ROS_FOLDERS.contains(name(folder))) {
+    if (ros.isEmpty() || !NodeChoice.INTERFACE_FOLDERS.contains(name(folder))) {
       return new InterfacePlace(folder, name(path), List.of(""));
     }
     String packageName = name(ros);
     return new InterfacePlace(
         parent(ros),
         packageName + "/" + name(folder) + "/" + name(path),
-        Stream.concat(Stream.of(packageName), ROS_FOLDERS.stream().map(f -> packageName + "/" + f))
+        Stream.concat(
+                Stream.of(packageName),
+                NodeChoice.INTERFACE_FOLDERS.stream().map(f -> packageName + "/" + f))
             .toList());
   }
 
@@ -44,7 +43,7 @@ public record InterfacePlace(String base, String path, List<String> folders) {
   static Optional<String> packageOf(String path) {
     String folder = parent(path);
     String kind = name(folder);
-    return ROS_FOLDERS.contains(kind) && path.endsWith("." + kind)
+    return NodeChoice.INTERFACE_FOLDERS.contains(kind) && path.endsWith("." + kind)
         ? Optional.of(parent(folder))
         : Optional.empty();
   }

@@ -16,7 +16,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
  */
 public record NodeChoice(NodePackage chosen, FileTree siblings) {
   /** Folders of interface files, which have the same extension. */
-  public static final List<String> INTERFACE_FOLDERS = List.of("msg", "srv", "action");
+  public static final List<String> INTERFACE_FOLDERS = List.of("action", "msg", "srv");
 
   private static final Set<String> RESULTS_OF_BUILDS = Set.of("build", "install", "log");
 
@@ -24,14 +24,14 @@ public record NodeChoice(NodePackage chosen, FileTree siblings) {
    * Chooses a package.
    *
    * @param folder content of the folder of {@code package.xml}
-   * @param beside content of the folder above it, of which only the interface files of packages are
+   * @param parent content of its parent folder, of which only the interface files of packages are
    *     used
    * @param shown how messages name the folder
    * @param language Python or C++; null if the package decides
    * @throws InvalidInputException if it is no package with a node
    */
   public static NodeChoice of(
-      FileTree folder, FileTree beside, String shown, @Nullable Language language) {
+      FileTree folder, FileTree parent, String shown, @Nullable Language language) {
     Map<String, byte[]> sources = new HashMap<>();
     folder.paths().stream()
         .filter(NodeChoice::isSource)
@@ -40,9 +40,9 @@ public record NodeChoice(NodePackage chosen, FileTree siblings) {
         NodePackage.of(
             FileTree.of(sources), shown, language == null ? null : language == Language.CPP);
     Map<String, byte[]> siblings = new HashMap<>();
-    beside.paths().stream()
-        .filter(path -> isInterfaceOfSibling(path, chosen.name(), beside))
-        .forEach(path -> siblings.put(path, beside.content(path).orElseThrow()));
+    parent.paths().stream()
+        .filter(path -> isInterfaceOfSibling(path, chosen.name(), parent))
+        .forEach(path -> siblings.put(path, parent.content(path).orElseThrow()));
     return new NodeChoice(chosen, FileTree.of(siblings));
   }
 
@@ -53,13 +53,13 @@ public record NodeChoice(NodePackage chosen, FileTree siblings) {
         && parts.stream().noneMatch(part -> part.startsWith(".") || part.equals("__pycache__"));
   }
 
-  private static boolean isInterfaceOfSibling(String path, String own, FileTree beside) {
+  private static boolean isInterfaceOfSibling(String path, String own, FileTree parent) {
     List<String> parts = List.of(path.split("/", -1));
     return parts.size() == 3
         && !parts.get(0).equals(own)
         && INTERFACE_FOLDERS.contains(parts.get(1))
         && parts.get(2).endsWith("." + parts.get(1))
-        && beside.contains(parts.get(0) + "/package.xml");
+        && parent.contains(parts.get(0) + "/package.xml");
   }
 
   /**

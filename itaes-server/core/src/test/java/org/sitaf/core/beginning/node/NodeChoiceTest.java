@@ -39,7 +39,7 @@ class NodeChoiceTest {
 
   @Test
   void siblingsAreInterfaceFilesOfPackages() {
-    FileTree beside =
+    FileTree parent =
         tree(
             Map.of(
                 "own_msgs/package.xml", "",
@@ -50,7 +50,7 @@ class NodeChoiceTest {
                 "follower/package.xml", "",
                 "follower/msg/Own.msg", ""));
 
-    NodeChoice choice = NodeChoice.of(PACKAGE, beside, "follower", Language.PYTHON);
+    NodeChoice choice = NodeChoice.of(PACKAGE, parent, "follower", Language.PYTHON);
 
     assertThat(choice.siblings().paths()).containsExactly("own_msgs/msg/Cell.msg");
   }

@@ -11,13 +11,13 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /** Queries programs of this machine; passes no files of users. */
-final class Tools {
+public final class Tools {
   private static final long TIMEOUT_S = 20;
 
   private Tools() {}
 
   /** The first of these programs in the search path; absolute paths are allowed. */
-  static Optional<Path> find(String... names) {
+  public static Optional<Path> find(String... names) {
     for (String name : names) {
       for (String folder :
           System.getenv().getOrDefault("PATH", "/usr/bin:/bin").split(File.pathSeparator)) {

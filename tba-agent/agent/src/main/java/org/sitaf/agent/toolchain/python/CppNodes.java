@@ -1,6 +1,5 @@
 package org.sitaf.agent.toolchain.python;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -25,6 +24,7 @@ import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.OneTimeCompilation;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.cpp.Tools;
 import org.sitaf.agent.toolchain.python.environment.Environments;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.FileTree;
@@ -83,18 +83,9 @@ final class CppNodes {
 
   private static Optional<Path> compiler() {
     String chosen = System.getenv("CXX");
-    List<String> names =
-        chosen == null || chosen.isBlank() ? List.of("g++", "clang++") : List.of(chosen.strip());
-    for (String name : names) {
-      for (String folder :
-          System.getenv().getOrDefault("PATH", "/usr/bin:/bin").split(File.pathSeparator)) {
-        Path program = Path.of(folder.isEmpty() ? "." : folder).resolve(name).toAbsolutePath();
-        if (Files.isExecutable(program)) {
-          return Optional.of(program);
-        }
-      }
-    }
-    return Optional.empty();
+    return chosen == null || chosen.isBlank()
+        ? Tools.find("g++", "clang++")
+        : Tools.find(chosen.strip());
   }
 
   /**
@@ -188,13 +179,14 @@ final class CppNodes {
   }
 
   /**
-   * How a compiled node records its lines; null if gcov cannot read what the compiler writes.
+   * How a compiled node records its lines; null if gcov is not installed, or cannot read what the
+   * compiler writes.
    *
    * @param sources folder of the node's sources in the activity, with a trailing slash
    */
   static @Nullable Recording recording(Compilation compilation, String sources) {
     Path notes = folder(compilation).resolve(NOTES);
-    return Files.isDirectory(notes)
+    return Files.isDirectory(notes) && Tools.find("gcov").isPresent()
         ? new NodeCoverage(
             notes, compilation.scratch().resolve("coverage"), compilation.sandbox(), sources)
         : null;
