@@ -1,14 +1,24 @@
 #!/usr/bin/env bash
 # Lists installed and missing software, and the command that installs it. Needs only a shell.
 # doctor --install cpp: installs what tests of C++ components need.
+# doctor --install ros: installs a ROS 2 for Python from PyPI, for nodes that run with an installed one.
 set -uo pipefail
+launcher=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+home=$(cd "$launcher/../../.." && pwd)
+state=$home/.sitaf
 missing=()
 # The compiler, gRPC and expat for the runtime of test applications, gcovr for the coverage of components.
 cpp_packages=(g++ pkg-config libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc libexpat1-dev gcovr)
 
+if [ "$*" = "--install ros" ]; then
+  # shellcheck source=itaes-server/cli/launcher/setup.sh
+  source "$launcher/setup.sh"
+  set_up_installed_ros
+  exit
+fi
 if [ $# -gt 0 ]; then
   if [ "$*" != "--install cpp" ]; then
-    echo "sitaf: doctor: unknown arguments '$*'; expected '--install cpp'" >&2
+    echo "sitaf: doctor: unknown arguments '$*'; expected '--install cpp' or '--install ros'" >&2
     exit 2
   fi
   command -v apt-get >/dev/null || {
@@ -73,6 +83,14 @@ optional "bubblewrap" "sandbox for components" "$(command -v bwrap >/dev/null &&
 
 optional "socat" "serial cable of examples/serial-range" "$(command -v socat >/dev/null && version_of socat -V)" socat
 optional "gdb" "debugger for C++ components" "$(command -v gdb >/dev/null && version_of gdb --version)" gdb
+
+# As the agent searches.
+ros=${AMENT_PREFIX_PATH:-$(ls -d /opt/ros/*/ "$state/ros-jazzy" 2>/dev/null | head -n 1)}
+if [ -n "$ros" ]; then
+  printf '  %-12s %-28s %s\n' "ROS 2" "${ros%%:*}" "ok"
+else
+  printf '  %-12s %-28s %s\n' "ROS 2" "not found" "only for nodes that run with --ros system: ./sitaf doctor --install ros"
+fi
 
 # feature NAME STATE NOTE: a feature of the sandbox; the note explains how to get a missing feature.
 feature() {
@@ -142,7 +160,6 @@ if command -v bwrap >/dev/null; then
   fi
 fi
 
-home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
 echo
 echo "Built:"
 for part in java:"server, agent and commands" bridge:simulation; do

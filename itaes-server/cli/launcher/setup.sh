@@ -213,11 +213,39 @@ install_ros_interfaces() {
   mv "$new" "$state/ros2"
 }
 
+# Installs a ROS 2 for Python from PyPI; `with_installed_ros` names it to agents and commands.
+set_up_installed_ros() {
+  local wanted=$launcher/ros-requirements.txt
+  newer_than "$state/ros-jazzy/stamp" "$wanted" || return 0
+  mkdir -p "$state"
+  locked
+  if newer_than "$state/ros-jazzy/stamp" "$wanted"; then
+    stage "Installing ROS 2 for Python" ros install_ros "$wanted"
+  fi
+  unlocked
+}
+
+install_ros() {
+  set -e
+  rm -rf "$state/ros-jazzy"
+  python3 -m venv "$state/ros-jazzy"
+  "$state/ros-jazzy/bin/python" -m pip install --disable-pip-version-check -r "$1"
+  touch "$state/ros-jazzy/stamp"
+}
+
+# Unless the shell or the machine has another one.
+with_installed_ros() {
+  if [ -z "${AMENT_PREFIX_PATH:-}" ] && [ ! -d /opt/ros ] && [ -e "$state/ros-jazzy/stamp" ]; then
+    export AMENT_PREFIX_PATH=$state/ros-jazzy ROS_DISTRO=jazzy
+  fi
+}
+
 java_flags() {
   printf '%s\n' -XX:SharedArchiveFile="$state/dist/$1/$1.jsa" -Xshare:auto -Xlog:disable -Xlog:all=error:stderr -XX:TieredStopAtLevel=1
 }
 
 run_cli() {
+  with_installed_ros
   mapfile -t flags < <(java_flags cli)
   exec java "${flags[@]}" -Dsitaf.home="$home" -jar "$state/dist/cli/cli.jar" "$@"
 }
@@ -229,6 +257,7 @@ run_server() {
 }
 
 run_agent() {
+  with_installed_ros
   mapfile -t flags < <(java_flags agent)
   # The folder holds the agent's key and users' sources.
   (umask 077 && mkdir -p "$state/agent")

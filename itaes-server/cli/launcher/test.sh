@@ -44,6 +44,9 @@ if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
   "$python" -m pip install --quiet "$home/sim-bridge[robots]"
 fi
 
+# Nodes run with it, too.
+$fast || set_up_installed_ros
+
 # tests_of REPORT FOLDER [OPTION...]: runs the tests of a folder.
 tests_of() {
   cd "$2"

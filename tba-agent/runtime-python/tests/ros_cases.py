@@ -1,8 +1,11 @@
 """Runs a ROS node in a process of its own, as the test application does."""
 
+import base64
 import functools
 import os
 import pickle
+import subprocess
+import sys
 import tempfile
 import traceback
 from pathlib import Path
@@ -40,6 +43,55 @@ class Case:
         got = []
         self.system.subscribe(topic, type_name, lambda m, t: got.append((t / S, getattr(m, field))))
         return got
+
+
+def installed_ros():
+    """The environment of a process with an installed ROS 2; None without one."""
+    given = os.environ.get("AMENT_PREFIX_PATH", "").split(":")[0]
+    prefix = Path(given) if given else Path(__file__).parents[3] / ".sitaf" / "ros-jazzy"
+    modules = prefix / "lib" / f"python{sys.version_info.major}.{sys.version_info.minor}" / "site-packages"
+    if not (modules / "rclpy").is_dir():
+        return None
+    libraries = [prefix / "lib", *sorted(modules.glob("ros_*.libs"))]
+    return {
+        **os.environ,
+        "AMENT_PREFIX_PATH": str(prefix),
+        "SITAF_ROS_MODULES": str(modules),
+        "LD_LIBRARY_PATH": ":".join(map(str, libraries)),
+        "PYTHONPATH": str(Path(__file__).parents[1]),
+    }
+
+
+def run_installed(folder, entry, script, **settings):
+    """Run as `run_case`, with the installed ROS 2; `script` is a function of a module."""
+    package, types = settings.pop("package", ""), [*settings.pop("types", ()), types_folder()]
+    given = pickle.dumps((folder, entry, script, package, settings, types))
+    command = [sys.executable, "-c", "from tests.ros_cases import serve_installed; serve_installed()"]
+    ended = subprocess.run(command, input=given, env=installed_ros(), capture_output=True, timeout=120)
+    assert ended.returncode == 0, ended.stderr.decode()
+    well, answer = pickle.loads(base64.b64decode(ended.stdout.splitlines()[-1]))
+    assert well, answer
+    return answer
+
+
+def serve_installed():
+    from sitaf_ros.installed.application import InstalledApplication
+
+    folder, entry, script, package, settings, types = pickle.load(sys.stdin.buffer)
+    application = InstalledApplication(TypeFolders(types), package, [Path(folder)], None)
+    application.load(entry)
+
+    def drive():
+        try:
+            system = application.start(RosSettings(**settings))
+            answer = (True, script(Case(system, [])))
+            system.end()
+        except BaseException:
+            answer = (False, traceback.format_exc())
+        print(f"\n{base64.b64encode(pickle.dumps(answer)).decode()}", flush=True)
+        os._exit(0)
+
+    application.run_case(drive, lambda: os._exit(1))
 
 
 def run_case(folder, entry, script, package="", share=None, types=(), **settings):

@@ -5,7 +5,8 @@ from sitaf_ros.application import RosApplication
 from sitaf_ros.definitions import DefinitionError, MessageTypes, TypeFolders
 from sitaf_ros.errors import NodeError, RosLoadError
 from sitaf_ros.settings import RosSettings
-from sitaf_ros.system import Delayed, NodeView, RosSystem, TopicView
+from sitaf_ros.system import NodeView, RosSystem, TopicView
+from sitaf_ros.test_side import Delayed
 from sitaf_ros.unobserved import RosReport
 
 __all__ = [

@@ -13,7 +13,7 @@ from sitaf_ros import conversion
 from sitaf_ros.messages import Message
 
 if TYPE_CHECKING:
-    from sitaf_ros.system import RosSystem, ServiceCall
+    from sitaf_ros.test_side import ServiceCall, TestSide
 
 STATUS = {"unknown": 0, "accepted": 1, "executing": 2, "canceling": 3, "succeeded": 4, "canceled": 5, "aborted": 6}
 CANCELED = 5
@@ -36,7 +36,7 @@ class GoalUnderTest:
 
     def __init__(
         self,
-        system: RosSystem,
+        system: TestSide,
         name: str,
         type_name: str,
         fields: Mapping[str, Any] | Message,
@@ -50,7 +50,7 @@ class GoalUnderTest:
         self.error: str | None = None
         action = system.application.classes.message(type_name)
         goal = conversion.from_fields(system.application.classes, action.Goal._definition.name, fields)
-        self.uuid = system.graph.next_number().to_bytes(16, "big")
+        self.uuid = system.next_number().to_bytes(16, "big")
         if feedback is not None:
 
             def take(message: Any, time_ns: int) -> None:
@@ -91,12 +91,9 @@ class _ServedGoal:
 
 
 class _ActionServer:
-    def __init__(self, system: RosSystem, name: str, type_name: str, answer: Callable[[Any], ActionAnswer]) -> None:
+    def __init__(self, system: TestSide, name: str, type_name: str, answer: Callable[[Any], ActionAnswer]) -> None:
         self._system, self._name, self._type, self._answer = system, name, type_name, answer
         self._goals: dict[bytes, _ServedGoal] = {}
-        from sitaf_ros.system import Delayed
-
-        self._delayed = Delayed
         base = f"{name}/_action"
         system.advertise(f"{base}/feedback", f"{type_name}_FeedbackMessage")
         system.advertise(f"{base}/status", "action_msgs/msg/GoalStatusArray")
@@ -143,8 +140,6 @@ class _ActionServer:
         return {"return_code": code, "goals_canceling": canceling}
 
     def _serve_result(self, name: str) -> None:
-        from sitaf_ros.graph import Server
-
         type_name = f"{self._type}_GetResult"
         classes = self._system.application.classes
         response_name = classes.message(type_name).Response._definition.name
@@ -161,9 +156,9 @@ class _ActionServer:
             else:
                 answer(goal.result)
 
-        self._system.graph.add_server(Server(name, type_name, ask, None))
+        self._system.serve(name, type_name, ask)
 
 
-def serve_action(system: RosSystem, name: str, type_name: str, answer: Callable[[Any], ActionAnswer]) -> None:
+def serve_action(system: TestSide, name: str, type_name: str, answer: Callable[[Any], ActionAnswer]) -> None:
     """Offer an action to the nodes."""
     _ActionServer(system, name, type_name, answer)

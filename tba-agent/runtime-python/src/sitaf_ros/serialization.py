@@ -70,7 +70,8 @@ class Reader:
     """Reads values one after the other."""
 
     def __init__(self, data: bytes, message_class: Any) -> None:
-        if data[:4] != HEADER:
+        # The last two bytes are options without a meaning for plain CDR.
+        if data[:2] != HEADER[:2]:
             raise ValueError("only little-endian CDR is read")
         self._data, self._at, self._class = data[4:], 0, message_class
 

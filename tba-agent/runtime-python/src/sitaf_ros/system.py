@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import sys
 from collections import deque
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from sitaf_ros import conversion
-from sitaf_ros.action_test import ActionAnswer, GoalUnderTest, serve_action
 from sitaf_ros.errors import NodeError
 from sitaf_ros.graph import Delivery, Graph, Publication, Quality, Server, Subscribed
 from sitaf_ros.messages import Message
@@ -18,7 +16,8 @@ from sitaf_ros.names import Remapping
 from sitaf_ros.node_threads import CaseEnded, NodeThreads
 from sitaf_ros.settings import Overrides, RosSettings
 from sitaf_ros.terminal import NodeInput
-from sitaf_ros.unobserved import RosReport, Unobserved
+from sitaf_ros.test_side import Ask, TestSide, full
+from sitaf_ros.unobserved import RosReport
 
 if TYPE_CHECKING:
     from sitaf_ros.application import RosApplication
@@ -27,30 +26,6 @@ CALLBACKS_AT_ONE_INSTANT = 20_000
 PATIENCE_AT_THE_END_S = 5.0
 # What every subscription accepts.
 OFFERED = Quality(depth=1, transient_local=True, deadline_ns=0, manual_liveliness=True, lease_ns=0)
-
-
-@dataclass(frozen=True)
-class Delayed:
-    """A response of a service that comes after a time."""
-
-    seconds: float
-    response: Any
-
-
-@dataclass
-class ServiceCall:
-    """A call by the test application."""
-
-    done: bool = False
-    response: Any = None
-    error: str | None = None
-    then: Callable[[Any], None] | None = None
-
-    def finish(self, response: Any) -> None:
-        """Take the response."""
-        self.done, self.response = True, response
-        if self.then is not None:
-            self.then(response)
 
 
 @dataclass(frozen=True)
@@ -93,33 +68,23 @@ class _TestEndpoint:
             self._receive(delivery)
 
 
-@dataclass(order=True)
-class _Later:
-    time_ns: int
-    number: int
-    act: Callable[[], None] = field(compare=False)
-
-
-class RosSystem:
+class RosSystem(TestSide):
     """Nodes of a case and everything around them; all methods are for the driver's thread unless they say so."""
 
     def __init__(self, application: RosApplication, settings: RosSettings) -> None:
-        self.application = application
-        self.settings = settings
+        super().__init__(application, settings)
         self.threads = NodeThreads()
         self.graph = Graph(lambda: self.threads.now_ns)
         self.remapping = Remapping(dict(settings.remap))
         self.overrides = Overrides(settings)
         self.stdin = NodeInput(settings.stdin)
         self.random = Random(settings.callback_order)  # noqa: S311 -- an order, not a secret
-        self.unobserved = Unobserved()
         self.node_list: list[Any] = []
         self.main_thread: Any = None
         self.main_returned = False
         self._failure: NodeError | None = None
         self._reported = False
         self._for_test: deque[Callable[[], None]] = deque()
-        self._later: list[_Later] = []
         self._advertised: dict[str, Publication] = {}
         self._callbacks, self._callbacks_at = 0, 0
 
@@ -132,9 +97,8 @@ class RosSystem:
 
     def next_event_ns(self) -> int | None:
         """Return when a timer, sleep or timeout of the nodes, or a delayed answer, is next; None for never."""
-        times = [later.time_ns for later in self._later[:1]]
-        deadline = self.threads.next_deadline_ns()
-        return min([*times, *([] if deadline is None else [deadline])], default=None)
+        times = (self.next_planned_ns(), self.threads.next_deadline_ns())
+        return min((time for time in times if time is not None), default=None)
 
     def run_until(self, time_ns: int) -> None:
         """Run everything that is due up to and including a time, each at its own time."""
@@ -158,8 +122,7 @@ class RosSystem:
 
     def _make_due(self, time_ns: int) -> None:
         self.threads.now_ns = max(self.now_ns, time_ns)
-        while self._later and self._later[0].time_ns <= self.now_ns:
-            self._later.pop(0).act()
+        self.do_planned()
         self.threads.advance_to(self.now_ns)
 
     def _settle(self) -> None:
@@ -170,11 +133,6 @@ class RosSystem:
                 return
             while self._for_test:
                 self._for_test.popleft()()
-
-    def later(self, seconds: float, act: Callable[[], None]) -> None:
-        """Do something for the test side after a time."""
-        self._later.append(_Later(self.now_ns + max(0, round(seconds * 1e9)), self.graph.next_number(), act))
-        self._later.sort()
 
     # Failures; also called by node threads.
 
@@ -198,26 +156,11 @@ class RosSystem:
             self.unobserved.warn(f"more than {CALLBACKS_AT_ONE_INSTANT} callbacks at one instant")
             self.threads.wait(self.now_ns + 1_000_000)
 
-    # Messages.
-
-    def new_message(self, type_name: str, fields: Mapping[str, Any] | Message) -> Any:
-        """Make a message; what is not named has its default."""
-        return conversion.from_fields(self.application.classes, type_name, fields)
-
-    def default(self, type_name: str) -> Any:
-        """Make a message of defaults."""
-        return self.application.classes.message(type_name)()
-
-    @staticmethod
-    def fields(message: Message, raw: bool = False) -> dict[str, Any]:
-        """Return a message as plain values; with `raw`, number arrays stay arrays."""
-        return conversion.to_fields(message, raw)
-
     # Topics.
 
     def advertise(self, topic: str, type_name: str, quality: Quality | None = None) -> Publication:
         """Make the test application a publisher; by default one that fits every subscription."""
-        topic = _full(topic)
+        topic = full(topic)
         publication = self._advertised.get(topic)
         if publication is None:
             self.application.classes.message(type_name)
@@ -226,14 +169,8 @@ class RosSystem:
             self.graph.add_publication(publication)
         return publication
 
-    def publish(self, topic: str, type_name: str, fields: Mapping[str, Any] | Message, stamp: bool = True) -> None:
-        """Publish at the current time; a `header.stamp` that is not named is the time of publication."""
-        message = self.new_message(type_name, fields)
-        if stamp and isinstance(fields, Mapping):
-            header = message._fields_and_field_types.get("header")
-            named = fields.get("header")
-            if header == "std_msgs/Header" and not (isinstance(named, Mapping) and "stamp" in named):
-                message.header.stamp.sec, message.header.stamp.nanosec = divmod(self.ros_time_ns(), 10**9)
+    def send(self, topic: str, type_name: str, message: Message) -> None:
+        """Publish a message at the current time."""
         self.graph.publish(self.advertise(topic, type_name), message)
 
     def ros_time_ns(self) -> int:
@@ -250,70 +187,37 @@ class RosSystem:
             self._for_test.append(lambda: callback(delivery.message, delivery.time_ns))
 
         quality = Quality(keep_all=True, reliable=False)
-        self.graph.add_subscription(Subscribed(_full(topic), type_name, quality, _TestEndpoint(receive), None))
+        self.graph.add_subscription(Subscribed(full(topic), type_name, quality, _TestEndpoint(receive), None))
 
     # Services and actions.
 
-    def call_service(
-        self, name: str, type_name: str, fields: Mapping[str, Any] | Message, then: Callable[[Any], None] | None = None
-    ) -> ServiceCall:
-        """Call a service of the nodes; run time until the call is done."""
-        service = self.application.classes.message(type_name)
-        call = ServiceCall(then=then)
-        request = conversion.from_fields(self.application.classes, service.Request._definition.name, fields)
+    def next_number(self) -> int:
+        """Return the next number of an event or a goal."""
+        return self.graph.next_number()
 
-        def respond(response: Message) -> None:
-            self._for_test.append(lambda: call.finish(response))
+    def call(self, name: str, type_name: str, request: Message, respond: Callable[[Message], None]) -> bool:
+        """Call a service; `respond` is called in the driver's thread. Return whether a node offers it."""
 
-        if not self.graph.call(_full(name), type_name, request, respond):
-            call.error = f"no node offers the service {_full(name)} of type {type_name}"
-        return call
+        def take(response: Message) -> None:
+            self._for_test.append(lambda: respond(response))
 
-    def serve_service(self, name: str, type_name: str, answer: Callable[[Any], Any]) -> None:
-        """Answer a service for the nodes; `answer` returns a response, or `Delayed`; an exception is no answer."""
-        service = self.application.classes.message(type_name)
-        response_name = service.Response._definition.name
+        return self.graph.call(name, type_name, request, take)
 
-        def ask(_: int, request: Message, respond: Callable[[Message], None]) -> None:
-            self._for_test.append(lambda: reply(request, respond))
+    def serve(self, name: str, type_name: str, ask: Ask) -> None:
+        """Offer a service to the nodes; `ask` is called in the driver's thread."""
 
-        def reply(request: Message, respond: Callable[[Message], None]) -> None:
-            try:
-                answered = answer(request)
-            except Exception as e:
-                self.unobserved.warn(f"{name}: the test application gives no answer: {e}")
-                return
-            delay = answered.seconds if isinstance(answered, Delayed) else 0.0
-            fields = answered.response if isinstance(answered, Delayed) else answered
-            response = conversion.from_fields(self.application.classes, response_name, fields or {})
-            if delay > 0:
-                self.later(delay, lambda: respond(response))
-            else:
-                respond(response)
+        def take(number: int, request: Message, respond: Callable[[Message], None]) -> None:
+            self._for_test.append(lambda: ask(number, request, respond))
 
-        self.graph.add_server(Server(_full(name), type_name, ask, None))
-
-    def send_goal(
-        self,
-        name: str,
-        type_name: str,
-        fields: Mapping[str, Any] | Message,
-        feedback: Callable[[Any, int], None] | None = None,
-    ) -> GoalUnderTest:
-        """Send a goal to an action server of the nodes."""
-        return GoalUnderTest(self, _full(name), type_name, fields, feedback)
-
-    def serve_action(self, name: str, type_name: str, answer: Callable[[Any], ActionAnswer]) -> None:
-        """Be an action server for the nodes."""
-        serve_action(self, _full(name), type_name, answer)
+        self.graph.add_server(Server(name, type_name, take, None))
 
     def service_ready(self, name: str) -> bool:
         """Tell whether a node offers a service."""
-        return any(server.node is not None for server in self.graph.servers.get(_full(name), ()))
+        return any(server.node is not None for server in self.graph.servers.get(full(name), ()))
 
     def action_ready(self, name: str) -> bool:
         """Tell whether a node offers an action."""
-        return self.service_ready(f"{_full(name)}/_action/send_goal")
+        return self.service_ready(f"{full(name)}/_action/send_goal")
 
     # What is there.
 
@@ -369,7 +273,3 @@ class RosSystem:
     def report(self) -> RosReport:
         """Return what the nodes did that nothing looked at."""
         return self.unobserved.report(self.graph, self.threads.slowest_polls)
-
-
-def _full(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"

@@ -18,6 +18,7 @@ from sitaf_ros.errors import NodeError, RosLoadError
 from sitaf_ros.names import Remapping
 from sitaf_ros.settings import Overrides, RosSettings
 from sitaf_ros.system import RosSystem
+from sitaf_ros.test_side import full
 from sitaf_ros.unobserved import RosReport
 
 _LEVELS = {10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
@@ -141,11 +142,11 @@ class CppSystem(RosSystem):
     def subscribe(self, topic: str, type_name: str, callback: Callable[[Any, int], None]) -> None:
         """Call back in the driver's thread with each message and its time of publication in ns."""
         self.application.classes.message(type_name)
-        self.graph.subscribe(_full(topic), type_name, callback)
+        self.graph.subscribe(full(topic), type_name, callback)
 
     def service_ready(self, name: str) -> bool:
         """Tell whether a node offers a service."""
-        return self._library.offers(_full(name))
+        return self._library.offers(full(name))
 
     def nodes(self) -> list[Any]:
         """Return the full names of the nodes."""
@@ -173,10 +174,6 @@ class CppNodeError(NodeError):
     def __init__(self, where: str, what: str) -> None:
         Exception.__init__(self, f"{what} (in {where})")
         self.where, self.cause = where, None
-
-
-def _full(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"
 
 
 def _parameter(value: Any) -> dict[str, Any]:

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 # The contract's limit on the recorded messages of a case.
 MOST_MESSAGES = 1_000
 _NANOS = 1_000_000_000
-_EPOCH_NS = 1_700_000_000 * _NANOS
 _INTERFACE = "topics"
 _ROS_PARAMETERS = "ros__parameters"
 
@@ -236,7 +235,7 @@ class CaseRun:
 
     def _sense(self, world: World, topic: Topic, now_ns: int) -> None:
         if topic.world:
-            sec, nanosec = divmod(self._ros_time_ns(), _NANOS)
+            sec, nanosec = divmod(self._system.ros_time_ns(), _NANOS)
             transforms = transforms_of(world.readings, {"sec": sec, "nanosec": nanosec})
             self._system.publish(topic.name, topic.type, {"transforms": transforms})
             return
@@ -245,9 +244,6 @@ class CaseRun:
         odometry = self._odometry.setdefault(topic.name, Odometry())
         fields = fields_of(topic, world.readings[topic.device], odometry, now_ns)
         self._system.publish(topic.name, topic.type, fields)
-
-    def _ros_time_ns(self) -> int:
-        return self._system.now_ns + (0 if self._system.settings.use_sim_time else _EPOCH_NS)
 
     # The call.
 

@@ -117,12 +117,12 @@ def _serve(plan: Plan, folder: Path, lines: Lines) -> None:
         if "case" not in case:
             continue  # an order to end a case that has just ended
         if plan.suite_life:
-            _run(plan, application, lines, case["case"])
+            _run_in(application, plan, lines, case["case"])
             lines.send({"ended": ""})
             continue
         child = os.fork()
         if child == 0:
-            _end_with(lambda case=case: _run(plan, application, lines, case["case"]))
+            _end_with(lambda case=case: _run_in(application, plan, lines, case["case"]))
         _, status = os.waitpid(child, 0)
         lines.send({"ended": sanitizer_report.of(child) or _reason(status)})
 
@@ -178,7 +178,11 @@ def _load(plan: Plan, folder: Path) -> Any:
     sources = _sources(package)
     entry = plan.node["entry"]
     kind: Any = RosApplication
-    if plan.node.get("library"):
+    if plan.node.get("installed"):
+        from sitaf_ros.installed.application import InstalledApplication
+
+        kind = InstalledApplication
+    elif plan.node.get("library"):
         from sitaf_ros.cpp.application import CppApplication
 
         kind, entry = CppApplication, str(folder / plan.node["library"])
@@ -201,6 +205,10 @@ def _sources(package: str) -> Path:
         if entry and (Path(entry) / "package.xml").is_file():
             return Path(entry)
     raise CannotRunError(f"the sources of the package {package} are not on the module path")
+
+
+def _run_in(application: Any, plan: Plan, lines: Lines, case: dict[str, Any]) -> None:
+    application.run_case(lambda: _run(plan, application, lines, case), lambda: _end_with(lambda: None))
 
 
 def _run(plan: Plan, application: Any, lines: Lines, case: dict[str, Any]) -> None:

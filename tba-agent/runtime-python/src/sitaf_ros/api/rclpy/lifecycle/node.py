@@ -172,6 +172,11 @@ class LifecycleNodeMixin(ManagedEntity):
             self.get_logger().warn(
                 f"No transition matching {wanted.label or wanted.id} found for current state {self._ros_state.label}"
             )
+            if not wanted.label:
+                system().unobserved.warn(
+                    f"rclpy of ROS 2 ends a node that is asked for the transition {wanted.id} in the state "
+                    f"{self._ros_state.label}; here it answers success=False"
+                )
             return response
         response.success = self._ros_trigger(found[0]) is SUCCESS
         return response

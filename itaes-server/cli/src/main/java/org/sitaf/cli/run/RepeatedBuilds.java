@@ -34,8 +34,7 @@ public record RepeatedBuilds(LocalBuilds builds, CaseOptions options, PrintWrite
 
   Ended run(Activity activity, TestModel model, TestSuite suite) {
     RepeatedRuns runs = new RepeatedRuns(model);
-    FlakyCases flaky =
-        new FlakyCases(activity.profile().limits().caseWall().toMillis() / MILLIS_PER_SECOND);
+    FlakyCases flaky = new FlakyCases(activity.limits().caseWall().toMillis() / MILLIS_PER_SECOND);
     List<String> warnings = List.of();
     for (int run = 1; ; run++) {
       if (options.runs() > 1) {

@@ -23,6 +23,7 @@ import org.sitaf.cli.file.SuiteCache;
 import org.sitaf.cli.file.UserFiles;
 import org.sitaf.cli.option.ActivityArguments;
 import org.sitaf.cli.option.GenerationArguments;
+import org.sitaf.cli.option.RosOption;
 import org.sitaf.cli.option.SandboxOption;
 import org.sitaf.cli.system.DeviceOptions;
 import org.sitaf.cli.system.RemoteRun;
@@ -87,6 +88,8 @@ public final class RunCommand implements Callable<Integer> {
 
   @Mixin private final SandboxOption sandbox = new SandboxOption();
 
+  @Mixin private final RosOption ros = new RosOption();
+
   @Option(
       names = "--no-coverage",
       description = "Does not measure the line coverage of the component.")
@@ -137,7 +140,7 @@ public final class RunCommand implements Callable<Integer> {
               : "--repeat must be at most " + MAX_REMOTE_RUNS + " with --server");
     }
     FileTree files = UserFiles.folder(arguments.folder());
-    Activity activity = Installation.read(files);
+    Activity activity = Installation.read(files).with(ros.implementation());
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
     // An interrupted run still writes the cases that ended.

@@ -9,8 +9,10 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.activity.hardware.DeviceBackend;
 import org.sitaf.core.activity.ros.MessageSignals;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
@@ -21,6 +23,7 @@ import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.sequence.SequenceSpec;
@@ -45,6 +48,9 @@ public record Activity(
     List<TestModel> models,
     @Nullable RosInterfaces ros,
     List<Diagnostic> warnings) {
+  /** How much slower than real time a case with an installed ROS 2 may be. */
+  private static final int REAL_TIME_FACTOR = 4;
+
   private static final FileTree NO_PACKAGES = FileTree.of(Map.of());
 
   public Activity {
@@ -159,6 +165,53 @@ public record Activity(
         models,
         ros,
         warnings);
+  }
+
+  /**
+   * The same activity with another implementation of ROS 2.
+   *
+   * @throws InvalidInputException if its component does not run with it
+   */
+  public Activity with(RosImplementation implementation) {
+    if (implementation == RosImplementation.INCLUDED) {
+      return this;
+    }
+    if (ros == null || ros.node().isCpp()) {
+      throw InvalidInputException.of(
+          "activity.yaml",
+          ros == null
+              ? "the component is no ROS 2 node, so it does not run with an installed ROS 2;"
+                  + " omit --ros system"
+              : "nodes in C++ run with the rclcpp that comes along only; --ros system is for"
+                  + " language: ros2-python");
+    }
+    return new Activity(
+        profile,
+        files,
+        provided,
+        required,
+        outputPorts,
+        world,
+        models,
+        ros.with(implementation),
+        warnings);
+  }
+
+  /** What a ROS 2 node runs with; empty for other components. */
+  public Optional<RosImplementation> rosImplementation() {
+    return Optional.ofNullable(ros).map(interfaces -> interfaces.node().implementation());
+  }
+
+  /**
+   * The limits of the profile. A case with an installed ROS 2, where time passes in real time or
+   * slower, has more real time.
+   */
+  public Limits limits() {
+    Limits limits = profile.limits();
+    return rosImplementation().equals(Optional.of(RosImplementation.SYSTEM))
+        ? limits.withCaseWall(
+            limits.caseWall().plus(limits.caseSimulation().multipliedBy(REAL_TIME_FACTOR)))
+        : limits;
   }
 
   private Activity with(ActivityProfile other, List<String> hidden) {

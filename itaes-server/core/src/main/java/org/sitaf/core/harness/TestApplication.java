@@ -20,6 +20,7 @@ import org.sitaf.core.timing.Timing;
  * model.xml      the test model, for the post-conditions
  * suite.xml      the test cases
  * entry-point    the program to start, one line
+ * ros            what a ROS 2 node runs with, one line; not there for what comes along
  * </pre>
  *
  * @param harness the sources of the test application, with paths relative to {@code harness/}

@@ -3,9 +3,12 @@ package org.sitaf.core.harness;
 import java.io.ByteArrayOutputStream;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.ros.RosHarness;
 import org.sitaf.core.model.TestModel;
@@ -20,6 +23,7 @@ final class TestApplicationFiles {
   private static final String MODEL = "model.xml";
   private static final String SUITE = "suite.xml";
   private static final String ENTRY_POINT = "entry-point";
+  private static final String ROS = "ros";
 
   private TestApplicationFiles() {}
 
@@ -28,21 +32,27 @@ final class TestApplicationFiles {
     TestSuiteXml.write(application.suite(), suite);
     Activity activity = application.activity();
     byte[] model = activity.files().content(application.model().source()).orElseThrow();
-    return FileTree.of(
-            Map.of(
-                MODEL,
-                model,
-                SUITE,
-                suite.toByteArray(),
-                ENTRY_POINT,
-                (application.entryPoint() + "\n").getBytes(StandardCharsets.UTF_8)))
-        .with(ACTIVITY, activity.files())
-        .with(HARNESS, application.harness());
+    Map<String, byte[]> files = new HashMap<>();
+    files.put(MODEL, model);
+    files.put(SUITE, suite.toByteArray());
+    files.put(ENTRY_POINT, line(application.entryPoint()));
+    activity
+        .rosImplementation()
+        .filter(implementation -> implementation != RosImplementation.INCLUDED)
+        .ifPresent(implementation -> files.put(ROS, line(implementation.id())));
+    return FileTree.of(files).with(ACTIVITY, activity.files()).with(HARNESS, application.harness());
   }
 
   static TestApplication read(FileTree files) {
     Activity activity =
         Activity.read(files.below(ACTIVITY), files.below(HARNESS).below(RosHarness.INTERFACES));
+    Optional<String> ros = files.text(ROS).map(String::strip);
+    if (ros.isPresent()) {
+      activity =
+          activity.with(
+              RosImplementation.of(ros.get())
+                  .orElseThrow(() -> InvalidInputException.of(ROS, "'" + ros.get() + "'")));
+    }
     TestModel model = TestModelXml.read(open(files, MODEL), MODEL);
     TestSuite suite = TestSuiteXml.read(open(files, SUITE), SUITE);
     String entryPoint =
@@ -56,6 +66,10 @@ final class TestApplicationFiles {
         suite,
         files.below(HARNESS),
         entryPoint);
+  }
+
+  private static byte[] line(String text) {
+    return (text + "\n").getBytes(StandardCharsets.UTF_8);
   }
 
   private static InputStream open(FileTree files, String path) {

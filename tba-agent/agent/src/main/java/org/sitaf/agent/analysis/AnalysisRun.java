@@ -209,10 +209,7 @@ public final class AnalysisRun {
                       }
                     }),
             log::remark)
-        .run(
-            analysed,
-            order.maxCases() / suite.cases().size(),
-            activity.profile().limits().caseWall());
+        .run(analysed, order.maxCases() / suite.cases().size(), activity.limits().caseWall());
   }
 
   private Scored score(BuildLog log) throws InterruptedException {

@@ -134,7 +134,7 @@ public final class BuildRun {
 
   /** The limits of the activity; someone who debugs a case may take any time. */
   private Limits limits() {
-    Limits limits = application.activity().profile().limits();
+    Limits limits = application.activity().limits();
     return settings.debugging() == null
         ? limits
         : limits.withCaseWall(BuildSettings.DEBUGGING_LIMIT);

@@ -29,6 +29,9 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 public final class TestBuildAgent implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
 
+  /** How an agent registers the ROS 2 of its machine. */
+  private static final String ROS = "ros";
+
   /** Label of agents that run components in a sandbox. */
   private static final String SANDBOXED = "sandbox";
 
@@ -163,6 +166,12 @@ public final class TestBuildAgent implements AutoCloseable {
                     Toolchain.newBuilder()
                         .setLanguage(toolchain.language().id())
                         .setVersion(toolchain.version())));
+    toolchains
+        .ros()
+        .ifPresent(
+            ros ->
+                register.addToolchains(
+                    Toolchain.newBuilder().setLanguage(ROS).setVersion(ros.version())));
     return register.build();
   }
 

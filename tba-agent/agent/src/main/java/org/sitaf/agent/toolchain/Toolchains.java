@@ -14,6 +14,7 @@ import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
 import org.sitaf.agent.toolchain.cpp.CppToolchain;
 import org.sitaf.agent.toolchain.java.JavaToolchain;
 import org.sitaf.agent.toolchain.python.PythonToolchain;
+import org.sitaf.agent.toolchain.python.RosInstallation;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** The toolchains of this machine; each is searched at its first use. */
@@ -59,6 +60,19 @@ public final class Toolchains {
       of(language).ifPresent(found::add);
     }
     return List.copyOf(found);
+  }
+
+  /** The ROS 2 of this machine that nodes can run with instead of what comes along. */
+  public Optional<RosInstallation> ros() {
+    if (!(of(Language.PYTHON).orElse(null) instanceof PythonToolchain python)) {
+      return Optional.empty();
+    }
+    try {
+      return python.ros().found();
+    } catch (IOException e) {
+      LOGGER.log(System.Logger.Level.WARNING, "cannot search for ROS 2: " + e);
+      return Optional.empty();
+    }
   }
 
   /**

@@ -106,6 +106,11 @@ public record RosInterfaces(
         files);
   }
 
+  /** The same node with another implementation of ROS 2. */
+  public RosInterfaces with(RosImplementation implementation) {
+    return new RosInterfaces(node.with(implementation), topics, outputs, lines, files);
+  }
+
   /** The names of services and actions by file, also of those that only the sources name. */
   private static Map<String, String> services(
       RosNode node,

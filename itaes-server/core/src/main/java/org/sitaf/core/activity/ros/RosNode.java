@@ -24,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param stdin inputs of the case that are the lines of its standard input
  * @param topics in the order of the document
  * @param services names of the provided services and actions by their interface file
+ * @param implementation what it runs with
  */
 public record RosNode(
     boolean isCpp,
@@ -36,7 +37,8 @@ public record RosNode(
     Map<String, String> environment,
     List<String> stdin,
     List<Topic> topics,
-    Map<String, String> services) {
+    Map<String, String> services,
+    RosImplementation implementation) {
   /** The name of the generated interface. */
   public static final String INTERFACE = "topics";
 
@@ -45,6 +47,7 @@ public record RosNode(
 
   public RosNode {
     Objects.requireNonNull(entry);
+    Objects.requireNonNull(implementation);
     packages = List.copyOf(packages);
     parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
     remap = Collections.unmodifiableMap(new TreeMap<>(remap));
@@ -126,7 +129,24 @@ public record RosNode(
         environment,
         stdin,
         topics,
-        names);
+        names,
+        implementation);
+  }
+
+  RosNode with(RosImplementation chosen) {
+    return new RosNode(
+        isCpp,
+        entry,
+        isMain,
+        packages,
+        parameters,
+        parameterFile,
+        remap,
+        environment,
+        stdin,
+        topics,
+        services,
+        chosen);
   }
 
   RosNode withTopics(List<Topic> resolved) {
@@ -141,6 +161,7 @@ public record RosNode(
         environment,
         stdin,
         resolved,
-        services);
+        services,
+        implementation);
   }
 }

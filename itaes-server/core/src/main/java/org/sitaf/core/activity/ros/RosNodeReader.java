@@ -103,7 +103,8 @@ public final class RosNodeReader {
         environment,
         stdin(component),
         topics(root),
-        Map.of());
+        Map.of(),
+        RosImplementation.INCLUDED);
   }
 
   private static void cppEntry(YamlMapping component, String entry, boolean isMain) {

@@ -15,6 +15,7 @@ import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.activity.TargetMethod;
 import org.sitaf.core.activity.ros.RosElements;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.activity.ros.RosNode.EndKind;
@@ -166,6 +167,9 @@ public final class RosHarness {
     Map<String, Object> entry = new LinkedHashMap<>();
     if (node.isCpp()) {
       entry.put("library", LIBRARY);
+    }
+    if (node.implementation() == RosImplementation.SYSTEM) {
+      entry.put("installed", true);
     }
     entry.put("entry", node.entry());
     entry.put("package", name.find() ? name.group(1) : "");

@@ -34,6 +34,7 @@ import org.sitaf.core.verdict.Coverage;
  * @param packages those of the environment
  * @param recording null if coverage is off
  * @param sanitizing null if no node of it is compiled with sanitizers
+ * @param ros the installation that its node runs with; null for any other application
  */
 record PythonApplication(
     Path environment,
@@ -43,11 +44,15 @@ record PythonApplication(
     List<Path> prefixes,
     List<ResolvedPackage> packages,
     @Nullable Recording recording,
-    @Nullable NodeSanitizing sanitizing)
+    @Nullable NodeSanitizing sanitizing,
+    @Nullable RosInstallation ros)
     implements CompiledApplication {
 
   /** Memory of the interpreter and gRPC. */
   private static final int OVERHEAD_MIB = 128;
+
+  /** Memory of rclpy and of the middleware with its shared memory. */
+  private static final int ROS_MIB = 256;
 
   private static final int FRAMES = 4;
   private static final Pattern FRAME = Pattern.compile("\\s*File \"(.+)\", line (\\d+) in (.+)");
@@ -100,6 +105,9 @@ record PythonApplication(
     if (sanitizing != null) {
       environment.putAll(sanitizing.environment(place));
     }
+    if (ros != null) {
+      environment.putAll(ros.environment());
+    }
     return environment;
   }
 
@@ -113,6 +121,9 @@ record PythonApplication(
     List<Path> readable = new ArrayList<>(path);
     readable.add(environment);
     readable.addAll(prefixes);
+    if (ros != null) {
+      readable.addAll(ros.readable());
+    }
     return readable;
   }
 
@@ -159,6 +170,8 @@ record PythonApplication(
 
   @Override
   public int overheadMiB() {
-    return sanitizing == null ? OVERHEAD_MIB : OVERHEAD_MIB + SanitizerSettings.MEMORY_MIB;
+    return OVERHEAD_MIB
+        + (sanitizing == null ? 0 : SanitizerSettings.MEMORY_MIB)
+        + (ros == null ? 0 : ROS_MIB);
   }
 }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -33,6 +34,7 @@ import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.activity.lock.ActivityLock;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.activity.ros.RosNode;
 
 /**
@@ -186,7 +188,32 @@ public final class PythonToolchain implements Toolchain {
         interpreter.prefixes(),
         environments.packages(environment),
         coverage(compilation, roots, environment),
-        profile.sanitizers().isEmpty() ? null : CppNodes.sanitizing(compilation));
+        profile.sanitizers().isEmpty() ? null : CppNodes.sanitizing(compilation),
+        ros(compilation));
+  }
+
+  /** The ROS 2 that a node runs with; null for what comes along. */
+  private @Nullable RosInstallation ros(Compilation compilation)
+      throws CompilationException, IOException {
+    if (!compilation
+        .application()
+        .activity()
+        .rosImplementation()
+        .equals(Optional.of(RosImplementation.SYSTEM))) {
+      return null;
+    }
+    RosInstallation.Lookup lookup = ros();
+    return lookup
+        .found()
+        .orElseThrow(
+            () ->
+                new CompilationException(
+                    "the node cannot run with an installed ROS 2: " + lookup.problem(), List.of()));
+  }
+
+  /** Searches for the ROS 2 of this machine, for nodes that run with it. */
+  public RosInstallation.Lookup ros() throws IOException {
+    return RosInstallation.find(interpreter.version());
   }
 
   private @Nullable Recording coverage(
