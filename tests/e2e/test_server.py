@@ -142,6 +142,22 @@ def test_equal_remote_runs_pass(sitaf, server):
     assert "--repeat must be at most 101 with --server" in run.stderr
 
 
+def test_a_node_runs_with_the_ros_of_an_agent(sitaf, server):
+    if not (sitaf.root / ".sitaf" / "ros-jazzy" / "stamp").exists() and "CI" not in os.environ:
+        pytest.skip("needs ./sitaf doctor --install ros")
+    run = sitaf(
+        "run", "examples/velocity-mux-ros", "--server", server.address, "--model", "Mux", "--case", "1-3",
+        "--ros", "system", env={"SITAF_TOKEN": server.token},
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "Mux: 3 cases, 3 PASS" in run.stdout
+    build = answer(server, "/api/v1/builds?size=1")["items"][0]
+    assert build["ros"] == "SYSTEM"
+    assert "an installed ROS 2" in build["requirements"]
+    (agent,) = answer(server, "/api/v1/agents")
+    assert {"language": "ros", "version": "jazzy"} in agent["toolchains"]
+
+
 def test_a_remote_compiler_error_is_reported_with_file_and_line(sitaf, server, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     lines = source.read_text().splitlines()

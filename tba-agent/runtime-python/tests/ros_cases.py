@@ -76,9 +76,11 @@ def run_installed(folder, entry, script, **settings):
 
 def serve_installed():
     from sitaf_ros.installed.application import InstalledApplication
+    from sitaf_ros.installed.cpp_application import InstalledCppApplication
 
     folder, entry, script, package, settings, types = pickle.load(sys.stdin.buffer)
-    application = InstalledApplication(TypeFolders(types), package, [Path(folder)], None)
+    kind = InstalledCppApplication if str(entry).endswith(".so") else InstalledApplication
+    application = kind(TypeFolders(types), package, [Path(folder)], None)
     application.load(entry)
 
     def drive():

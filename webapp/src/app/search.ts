@@ -169,6 +169,7 @@ export function newScheduleSearch(raw: Raw): NewScheduleSearch {
     ...textsIn(raw, 'labels'),
     ...choiceIn(raw, 'recordings', RECORDED_CASES),
     ...(raw.explain === true && { explain: true }),
+    ...(raw.ros === 'SYSTEM' && { ros: raw.ros }),
   };
 }
 

@@ -104,6 +104,7 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
     suspicions: [],
     kind: 'TEST',
     explain: false,
+    ros: 'INCLUDED',
     ...changes,
   };
 }

@@ -1,5 +1,5 @@
 import { Button, Popover, Text } from '@mantine/core';
-import { useAgentLabels } from '@/features/agents';
+import { useOffersOfAgents } from '@/features/agents';
 import { BuildOptionsFields, describeOptions, type BuildOptions } from '@/features/builds';
 
 interface BuildOptionsButtonProps {
@@ -11,7 +11,7 @@ const TITLE = 'Build options';
 
 /** Opens the options of the build that is about to be requested. */
 export function BuildOptionsButton({ options, onOptions }: BuildOptionsButtonProps) {
-  const labels = useAgentLabels();
+  const { labels, offersRos } = useOffersOfAgents();
   const summary = describeOptions(options);
   return (
     <Popover width="min(440px, calc(100vw - 2rem))" position="bottom-end" trapFocus withRoles>
@@ -19,7 +19,12 @@ export function BuildOptionsButton({ options, onOptions }: BuildOptionsButtonPro
         <Button variant="default">{summary === '' ? TITLE : `Options: ${summary}`}</Button>
       </Popover.Target>
       <Popover.Dropdown aria-label={TITLE}>
-        <BuildOptionsFields options={options} onOptions={onOptions} knownLabels={labels} />
+        <BuildOptionsFields
+          options={options}
+          onOptions={onOptions}
+          knownLabels={labels}
+          offersRos={offersRos}
+        />
         <Text size="xs" c="dimmed" mt="sm">
           The language of the component and a simulation are always required if the activity needs
           them.

@@ -1,4 +1,4 @@
 export { AgentsStatus } from './AgentsStatus';
 export { AgentTable } from './AgentTable';
 export { Enrolments } from './Enrolments';
-export { useAgentLabels } from './queries';
+export { useOffersOfAgents } from './queries';

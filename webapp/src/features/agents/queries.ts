@@ -18,9 +18,14 @@ export function useAgents() {
 }
 
 /** The labels of all agents, without duplicates. */
-export function useAgentLabels(): string[] {
-  const agents = useAgents();
-  return [...new Set((agents.data ?? []).flatMap(({ labels }) => labels))].sort();
+export function useOffersOfAgents(): { labels: string[]; offersRos: boolean } {
+  const agents = useAgents().data ?? [];
+  return {
+    labels: [...new Set(agents.flatMap(({ labels }) => labels))].sort(),
+    offersRos: agents.some(({ toolchains }) =>
+      toolchains.some(({ language }) => language === 'ros'),
+    ),
+  };
 }
 
 /** Activates, drains or disables an agent. */

@@ -15,10 +15,17 @@ interface BuildOptionsFieldsProps {
   onOptions: (options: BuildOptions) => void;
   /** Labels of the known agents, offered for completion. */
   knownLabels: readonly string[];
+  /** Whether an agent has a ROS 2 that nodes can run with. */
+  offersRos: boolean;
 }
 
 /** The fields for the agent, the priority and the recordings of a build. */
-export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOptionsFieldsProps) {
+export function BuildOptionsFields({
+  options,
+  onOptions,
+  knownLabels,
+  offersRos,
+}: BuildOptionsFieldsProps) {
   const number = (key: 'priority' | 'shards' | 'retries') => ({
     value: options[key],
     onChange: (value: string | number) => {
@@ -92,6 +99,16 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
           onOptions({ ...options, explain: checked });
         }}
       />
+      {(offersRos || options.installedRos) && (
+        <Checkbox
+          label="Installed ROS 2"
+          description="A ROS 2 node runs with the ROS 2 of the agent, in real time."
+          checked={options.installedRos}
+          onChange={({ currentTarget: { checked } }) => {
+            onOptions({ ...options, installedRos: checked });
+          }}
+        />
+      )}
     </Stack>
   );
 }

@@ -10,6 +10,8 @@ export interface BuildOptions {
   labels: string[];
   recordings: RecordingsOption;
   explain: boolean;
+  /** Whether ROS 2 nodes run with the agent's ROS 2. */
+  installedRos: boolean;
 }
 
 export const DEFAULT_OPTIONS: BuildOptions = {
@@ -20,6 +22,7 @@ export const DEFAULT_OPTIONS: BuildOptions = {
   labels: [],
   recordings: '',
   explain: false,
+  installedRos: false,
 };
 
 /** The options of a build as the server takes them. */
@@ -35,6 +38,7 @@ export function optionsFrom(requested: RequestedOptions): BuildOptions {
     labels = [],
     recordings,
     explain = false,
+    ros,
   } = requested;
   return {
     priority: String(priority),
@@ -44,12 +48,14 @@ export function optionsFrom(requested: RequestedOptions): BuildOptions {
     labels,
     recordings: recordings ?? '',
     explain,
+    installedRos: ros === 'SYSTEM',
   };
 }
 
 /** The options to send; defaults are left out. */
 export function requestOf(options: BuildOptions): RequestedOptions {
-  const { priority, shards, retries, toolchain, labels, recordings, explain } = options;
+  const { priority, shards, retries, toolchain, labels, recordings, explain, installedRos } =
+    options;
   return {
     ...(Number(priority) !== 0 && { priority: Number(priority) }),
     ...(Number(shards) > 1 && { shards: Number(shards) }),
@@ -58,6 +64,7 @@ export function requestOf(options: BuildOptions): RequestedOptions {
     ...(labels.length > 0 && { labels }),
     ...(recordings !== '' && { recordings }),
     ...(explain && { explain }),
+    ...(installedRos && { ros: 'SYSTEM' }),
   };
 }
 
@@ -69,7 +76,8 @@ const RECORDED: Record<Exclude<RecordingsOption, ''>, string> = {
 
 /** A short text for a button; empty if all options have their default. */
 export function describeOptions(options: BuildOptions): string {
-  const { priority, shards, retries, toolchain, labels, recordings, explain } = options;
+  const { priority, shards, retries, toolchain, labels, recordings, explain, installedRos } =
+    options;
   return [
     Number(priority) !== 0 && `priority ${priority}`,
     Number(shards) > 1 && `${shards} shards`,
@@ -78,6 +86,7 @@ export function describeOptions(options: BuildOptions): string {
     labels.length > 0 && `labels ${labels.join(', ')}`,
     recordings !== '' && RECORDED[recordings],
     explain && 'failures explained',
+    installedRos && 'installed ROS 2',
   ]
     .filter(Boolean)
     .join(', ');

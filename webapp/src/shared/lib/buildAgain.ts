@@ -23,7 +23,7 @@ export function buildCaseAgain(build: Build, no: number): BuildRequest {
 
 /** All options except the cases and their shards. */
 function options(build: Build): BuildRequest {
-  const { suiteId, priority, retries, toolchain, labels, recordedCases } = build;
+  const { suiteId, priority, retries, toolchain, labels, recordedCases, ros } = build;
   return {
     suiteId,
     recordings: recordedCases,
@@ -31,5 +31,6 @@ function options(build: Build): BuildRequest {
     ...(retries !== undefined && { retries }),
     ...(toolchain !== undefined && { toolchain }),
     ...(labels.length > 0 && { labels }),
+    ...(ros === 'SYSTEM' && { ros }),
   };
 }

@@ -1,25 +1,18 @@
-// Runs a node's class, or its main function.
+// Runs a node's class.
 #pragma once
 
 #include <memory>
 
 #include "rclcpp/rclcpp.hpp"
+#include "sitaf_ros/arguments.hpp"
 
 namespace sitaf_ros {
-
-/// The arguments of a main function: the name of the program.
-inline char ** arguments()
-{
-  static char name[] = "node";
-  static char * all[] = {name, nullptr};
-  return all;
-}
 
 /// Makes a node and spins it to the end of the case.
 template<class N>
 void run_node()
 {
-  rclcpp::init(1, arguments());
+  rclcpp::init(argument_count(), arguments());
   std::shared_ptr<N> node;
   if constexpr (std::is_constructible_v<N, const rclcpp::NodeOptions &>) {
     node = std::make_shared<N>(rclcpp::NodeOptions());

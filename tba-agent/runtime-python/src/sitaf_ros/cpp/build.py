@@ -104,17 +104,12 @@ class Build:
             entry = find_entry(self._package, self._entry, self._is_main, sources)
         except EntryError as e:
             return self._report([f"{e.file}\t{e.line}\t0\t{e}"])
-        problems = sources.problems(entry.units)
+        problems = self._prepare(sources, entry, headers)
         if problems:
             return self._report(problems)
-        try:
-            headers.with_builders = sources.builds_messages(entry.units)
-            headers.write(sources.types(entry.units), self._scratch / "generated")
-        except DefinitionError as e:
-            return self._report([f"\t0\t0\t{e}"])
         self._write_configured(sources)
         generated = self._scratch / "sitaf_entry.cpp"
-        generated.write_text(entry.text, encoding="utf-8")
+        generated.write_text(self._text(entry), encoding="utf-8")
         units = [generated, *(u for u in entry.units if u not in entry.included)]
         flags, problem = self._package_flags(sources)
         if problem:
@@ -131,15 +126,35 @@ class Build:
         self._instrumentation.keep_notes(self._scratch, self._into)
         return self._link(objects, flags)
 
+    def _text(self, entry: Entry) -> str:
+        """The generated unit."""
+        return entry.text
+
+    def _prepare(self, sources: NodeSources, entry: Entry, headers: CppHeaders) -> list[str]:
+        """Write the headers of messages; return what is not there, one line each."""
+        problems = sources.problems(entry.units)
+        if problems:
+            return problems
+        try:
+            headers.with_builders = sources.builds_messages(entry.units)
+            headers.write(sources.types(entry.units), self._scratch / "generated")
+        except DefinitionError as e:
+            return [f"\t0\t0\t{e}"]
+        return []
+
+    def _of_ros(self, standard: int) -> list[str]:
+        """Options for the headers of ROS."""
+        folders = (self._scratch / "generated", self._api / "include", self._runtime / "generated")
+        precompiled = ["-include", str(self._runtime / "sitaf_precompiled.hpp")] if standard == 17 else []
+        return [*precompiled, *(f"-I{folder}" for folder in folders)]
+
     def _compile(self, unit: Path, into: Path, sources: NodeSources, entry: Entry, flags: dict[str, list[str]]) -> bool:
-        include = [self._scratch / "configured", *sources.include_folders(entry.units), self._scratch / "generated"]
-        include += [self._api / "include", self._runtime / "generated"]
-        options = [f"-I{folder}" for folder in include]
+        include = [self._scratch / "configured", *sources.include_folders(entry.units)]
+        options = [*(f"-I{folder}" for folder in include), *self._of_ros(sources.standard)]
         standard = [f"-std=c++{sources.standard}"]
-        precompiled = ["-include", str(self._runtime / "sitaf_precompiled.hpp")] if sources.standard == 17 else []
         main = ["-Dmain=sitaf_node_main"] if unit != self._scratch / "sitaf_entry.cpp" else []
         command = [self._compiler, *standard, *_OPTIONS, "-Wall", *self._instrumentation.of_unit(self._package)]
-        command += [f"-ffile-prefix-map={self._package}/={self._recorded}/", *precompiled, *main]
+        command += [f"-ffile-prefix-map={self._package}/={self._recorded}/", *main]
         command += [*sources.definitions, *options, *flags["--cflags"], "-c", str(unit), "-o", str(into)]
         done = _run(command, self._scratch)
         if done.returncode:
@@ -179,6 +194,9 @@ class Build:
         command = [self._compiler, "-shared", "-pthread", "-Wl,--no-undefined", "-Wl,-Bsymbolic"]
         command += [*self._instrumentation.of_library(), *(f"-Wl,--wrap={name}" for name in names)]
         command += [*map(str, objects), *map(str, runtime), *flags["--libs"], "-o", str(library)]
+        return self._linked(command)
+
+    def _linked(self, command: list[str]) -> int:
         done = _run(command, self._scratch)
         if done.returncode:
             missing = sorted(set(re.findall(r"undefined reference to `([^']+)'", done.stderr)))
@@ -205,10 +223,15 @@ def main() -> int:
     parser.add_argument("--coverage", action="store_true")
     parser.add_argument("--sanitize", nargs="*", default=[])
     parser.add_argument("--recorded-as", default="")
+    parser.add_argument("--ros", nargs="*", default=[], type=Path)
     arguments = parser.parse_args()
     if arguments.what == "runtime":
         build_runtime(arguments.compiler, arguments.api, arguments.interfaces, arguments.into)
         return 0
+    if arguments.ros:
+        from sitaf_ros.cpp.installed_build import InstalledBuild
+
+        return InstalledBuild(arguments).run()
     return Build(arguments).run()
 
 

@@ -14,8 +14,8 @@ _CLASS = re.compile(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*")
 
 _BEGIN = """\
 // What each case of the node runs.
+#include "sitaf_ros/arguments.hpp"
 #include "sitaf_ros/entry.hpp"
-#include "sitaf_ros/run_node.hpp"
 """
 
 
@@ -65,7 +65,8 @@ def find_entry(package: Path, entry: str, is_main: bool, sources: NodeSources) -
         raise EntryError(f"class: no source of the package has the class {entry}{hint}")
     file = file.resolve()
     units = sources.cmake.units_of(file) if file.suffix in UNITS else []
-    text = _BEGIN + _include(file) + f"\nvoid sitaf_ros::run_entry() {{sitaf_ros::run_node<{entry}>();}}\n"
+    text = f'{_BEGIN}#include "sitaf_ros/run_node.hpp"\n{_include(file)}'
+    text += f"\nvoid sitaf_ros::run_entry() {{sitaf_ros::run_node<{entry}>();}}\n"
     return Entry(text, units or [file], [file])
 
 
@@ -80,7 +81,11 @@ def _main(package: Path, entry: str, sources: NodeSources) -> Entry:
     found = _MAIN.search(sources.text(file))
     if found is None:
         raise EntryError(f"main: {entry} has no function main")
-    call = "::main(1, sitaf_ros::arguments())" if found[1].strip() not in ("", "void") else "::main()"
+    call = (
+        "::main(sitaf_ros::argument_count(), sitaf_ros::arguments())"
+        if found[1].strip() not in ("", "void")
+        else "::main()"
+    )
     # Not renamed: only `main` may end without a return statement.
     text = f'{_BEGIN}#include "{file}"\n\nvoid sitaf_ros::run_entry() {{(void){call};}}\n'
     return Entry(text, sources.cmake.units_of(file), [file])

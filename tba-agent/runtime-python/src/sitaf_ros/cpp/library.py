@@ -122,13 +122,8 @@ class Library:
         return bool(self._lib.sitaf_ros_offers(name.encode()))
 
     def save_coverage(self) -> None:
-        """Add what this process has executed to the files of gcov, and start again at zero.
-
-        Nothing happens if the node was not compiled to count.
-        """
-        for name in ("__gcov_dump", "__gcov_reset"):
-            if function := getattr(self._lib, name, None):
-                function()
+        """Add what this process has executed to the files of gcov, and start again at zero."""
+        save_coverage(self._lib)
 
     def report(self) -> list[str]:
         """Return what nothing looked at."""
@@ -137,3 +132,13 @@ class Library:
     def nodes(self) -> list[str]:
         """Return the full names of the nodes."""
         return self._lib.sitaf_ros_nodes().decode(errors="replace").splitlines()
+
+
+def save_coverage(library: ctypes.CDLL) -> None:
+    """Add what this process has executed of a node to the files of gcov, and start again at zero.
+
+    Nothing happens if the node was not compiled to count.
+    """
+    for name in ("__gcov_dump", "__gcov_reset"):
+        if function := getattr(library, name, None):
+            function()

@@ -88,6 +88,10 @@ class InstalledApplication(RosApplication):
         ended.set()
         driver.join()
 
+    def end_nodes(self) -> None:
+        """End the nodes: spin returns."""
+        importlib.import_module("rclpy").try_shutdown()
+
     def begin(self, main: Callable[[], None]) -> None:
         """Run the nodes in the main thread."""
         self._mains.put(main)
@@ -103,7 +107,7 @@ class InstalledApplication(RosApplication):
         random.seed(settings.seed)
         _set_input(settings.stdin)
         sys.argv = [self.package or "node", *settings.arguments, "--ros-args", *_arguments(settings)]
-        return InstalledSystem(self, settings, lambda: run(settings) and None)
+        return InstalledSystem(self, settings, lambda: run(settings))
 
 
 def _set_input(lines: tuple[str, ...] | list[str]) -> None:

@@ -30,6 +30,8 @@ _STEP_NS = _MS
 # For the nodes to be there: discovery within a process takes tenths of a second.
 _READY_AT_MOST_S = 10.0
 _UNCHANGED_S = 0.1
+# A node that uses ROS time subscribes to /clock when it is made, which may take longer.
+_WITHOUT_CLOCK_S = 2.0
 # A callback may calculate for long; time waits for it.
 _REST_AT_MOST_S = 20.0
 _END_AT_MOST_S = 5.0
@@ -39,25 +41,25 @@ _MATCHED_AT_MOST_S = 1.0
 class InstalledSystem(TestSide):
     """The nodes of a case run in the main thread of the process, this in another one."""
 
-    def __init__(self, application: InstalledApplication, settings: RosSettings, run: Callable[[], None]) -> None:
+    def __init__(self, application: InstalledApplication, settings: RosSettings, run: Callable[[], object]) -> None:
         super().__init__(application, settings)
         self._run = run
         self._begin = application.begin
+        self._application_ends = application.end_nodes
         self._now_ns = 0
         self._clock_ns = -1
         self._number = 0
         self._failure: NodeError | None = None
+        self._has_returned = False
         self._begun = self._ended = self._restless = self._has_sent = False
         self._due_s = 0.0
         self._publishers: dict[str, Any] = {}
         self._clients: dict[str, Any] = {}
-        rclpy: Any = importlib.import_module("rclpy")
         executors: Any = importlib.import_module("rclpy.executors")
         nodes: Any = importlib.import_module("rclpy.node")
         self._qos: Any = importlib.import_module("rclpy.qos")
         self._task: Any = importlib.import_module("rclpy.task")
         self._serialization: Any = importlib.import_module("rclpy.serialization")
-        self._rclpy = rclpy
         self._context = importlib.import_module("rclpy.context").Context()
         self._context.init(args=[])
         self._node = nodes.Node(
@@ -270,10 +272,10 @@ class InstalledSystem(TestSide):
             if now != found:
                 found, since_s = now, now_s
             hears = self._clock.get_subscription_count() > 0
-            if self._ended or (hears and now_s - since_s >= _UNCHANGED_S):
+            if self._ended or now_s - since_s >= (_UNCHANGED_S if hears else _WITHOUT_CLOCK_S):
                 break
             if now_s > end_s:
-                self.unobserved.warn(f"no node had subscribed to /clock after {_READY_AT_MOST_S:.0f} s")
+                self.unobserved.warn(f"the node was not ready after {_READY_AT_MOST_S:.0f} s")
                 break
             time.sleep(0.005)
         self._due_s = time.monotonic()
@@ -289,7 +291,7 @@ class InstalledSystem(TestSide):
             if not self._ended and not is_regular_end(e):
                 self._failure = NodeError("main", e)
         finally:
-            self._ended = True
+            self._ended = self._has_returned = True
 
     def end(self) -> None:
         """End the case: spin returns in the nodes, and what follows it runs."""
@@ -297,7 +299,8 @@ class InstalledSystem(TestSide):
             return
         self._observed.look()
         self._ended = True
-        self._rclpy.try_shutdown()
+        if not self._has_returned:
+            self._application_ends()
         self._context.try_shutdown()
         self._receiver.join(_END_AT_MOST_S)
         self._quiet.close()

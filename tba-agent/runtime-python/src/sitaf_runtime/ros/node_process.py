@@ -182,6 +182,10 @@ def _load(plan: Plan, folder: Path) -> Any:
         from sitaf_ros.installed.application import InstalledApplication
 
         kind = InstalledApplication
+        if plan.node.get("library"):
+            from sitaf_ros.installed.cpp_application import InstalledCppApplication
+
+            kind, entry = InstalledCppApplication, str(folder / plan.node["library"])
     elif plan.node.get("library"):
         from sitaf_ros.cpp.application import CppApplication
 

@@ -102,7 +102,8 @@ public class Builds {
    * @throws InvalidInputException if the test application cannot be generated
    */
   public String request(String suiteId, BuildOptions options, BuildSource source) {
-    TestApplication application = selected(suites.application(suiteId), options.cases());
+    TestApplication application =
+        selected(suites.application(suiteId, options.ros()), options.cases());
     quotas.requireBuild(application.files());
     return queue(suites.origin(suiteId), application, options, source, null);
   }
@@ -201,7 +202,12 @@ public class Builds {
     }
     SuiteOrigin origin = suites.origin(suiteId);
     try {
-      return queue(origin, suites.application(suiteId), options, BuildSource.UNKNOWN, reservation);
+      return queue(
+          origin,
+          suites.application(suiteId, options.ros()),
+          options,
+          BuildSource.UNKNOWN,
+          reservation);
     } catch (InvalidInputException e) {
       return insertFailed(
           origin,

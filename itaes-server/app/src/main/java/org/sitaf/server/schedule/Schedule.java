@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
@@ -56,6 +57,9 @@ class Schedule {
 
   private boolean explainFailures;
 
+  @Enumerated(EnumType.STRING)
+  private RosImplementation ros;
+
   private Instant created;
   private @Nullable Instant fired;
 
@@ -70,6 +74,7 @@ class Schedule {
     leaveOut = "";
     toolchain = "";
     labels = "";
+    ros = RosImplementation.INCLUDED;
     created = Instant.EPOCH;
   }
 
@@ -120,6 +125,7 @@ class Schedule {
     this.labels = String.join(SEPARATOR, new TreeSet<>(options.agent().labels()));
     this.recordedCases = options.recordings();
     this.explainFailures = options.explain();
+    this.ros = options.ros();
     this.created = now;
   }
 
@@ -176,7 +182,8 @@ class Schedule {
             toolchain, labels.isEmpty() ? Set.of() : Set.of(labels.split(SEPARATOR))),
         recordedCases,
         null,
-        explainFailures);
+        explainFailures,
+        ros);
   }
 
   Instant created() {

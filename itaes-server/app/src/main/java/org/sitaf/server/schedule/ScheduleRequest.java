@@ -8,6 +8,7 @@ import java.time.ZoneOffset;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
@@ -60,7 +61,13 @@ record ScheduleRequest(
     @Schema(description = "which cases are recorded in the simulation, as in a build request")
         @Nullable RecordedCases recordings,
     @Schema(description = "whether the failures of the builds are explained; default false")
-        @Nullable Boolean explain) {
+        @Nullable Boolean explain,
+    @Schema(
+            description =
+                "what a ROS 2 node runs with: INCLUDED, the API that comes along, over simulated"
+                    + " time, or SYSTEM, the ROS 2 that is installed on the agent, in real time;"
+                    + " default INCLUDED")
+        @Nullable RosImplementation ros) {
   private static final int MAX_NAME = 200;
 
   Schedule.Subject subject(Schedules schedules) {
@@ -99,7 +106,8 @@ record ScheduleRequest(
             toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
         recordings,
         null,
-        Boolean.TRUE.equals(explain));
+        Boolean.TRUE.equals(explain),
+        ros == null ? RosImplementation.INCLUDED : ros);
   }
 
   Misfire misfireOrDefault() {

@@ -6,6 +6,7 @@ import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.schedule.timing.Misfire;
@@ -42,6 +43,8 @@ record ScheduleView(
     List<String> labels,
     @Nullable RecordedCases recordings,
     @Schema(description = "whether the failures of the builds are explained") boolean explain,
+    @Schema(description = "what a ROS 2 node runs with, as in a build request")
+        RosImplementation ros,
     Instant created,
     @Schema(description = "time of the last build; absent if there was none")
         @Nullable Instant fired,
@@ -95,6 +98,7 @@ record ScheduleView(
         List.copyOf(new TreeSet<>(options.agent().labels())),
         options.recordings(),
         options.explain(),
+        options.ros(),
         schedule.created(),
         schedule.fired().orElse(null),
         next);

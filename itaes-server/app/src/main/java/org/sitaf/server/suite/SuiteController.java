@@ -11,6 +11,7 @@ import java.io.InputStream;
 import java.net.URI;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.server.suite.SuiteView.CaseView;
 import org.sitaf.server.web.Listing;
@@ -131,6 +132,6 @@ class SuiteController {
       operationId = "getHarness",
       summary = "Returns the generated sources of a suite's test application")
   List<HarnessFile> harness(@PathVariable String id) {
-    return HarnessFile.of(suites.application(id));
+    return HarnessFile.of(suites.application(id, RosImplementation.INCLUDED));
   }
 }

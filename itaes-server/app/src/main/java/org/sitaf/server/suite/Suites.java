@@ -15,6 +15,7 @@ import java.util.UUID;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
@@ -86,12 +87,13 @@ public class Suites {
   /**
    * Generates the test application of a suite from the current state of its activity.
    *
+   * @param ros what a ROS 2 node runs with
    * @throws RequestException if there is no such suite, or if it no longer matches its model
    * @throws org.sitaf.core.diagnostic.InvalidInputException if the application cannot be generated
    */
-  public TestApplication application(String suiteId) {
+  public TestApplication application(String suiteId, RosImplementation ros) {
     StoredSuite stored = find(suiteId);
-    Activity activity = activities.activity(stored.activityId());
+    Activity activity = activities.activity(stored.activityId()).with(ros);
     TestModel model = StoredActivities.model(activity, stored.model());
     TestSuite suite = suite(stored);
     requireFit(suite, model);

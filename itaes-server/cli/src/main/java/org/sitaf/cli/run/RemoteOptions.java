@@ -12,6 +12,7 @@ import org.sitaf.cli.git.CheckedOutCommit;
 import org.sitaf.cli.system.RemoteRun;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosImplementation;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -68,6 +69,7 @@ final class RemoteOptions {
         read.profile().name(),
         files,
         new RemoteRun.Source(CheckedOutCommit.of(folder, files).orElse(""), labels),
+        read.rosImplementation().orElse(RosImplementation.INCLUDED),
         err);
   }
 }

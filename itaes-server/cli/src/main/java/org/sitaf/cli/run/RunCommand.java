@@ -31,6 +31,7 @@ import org.sitaf.cli.terminal.OnExit;
 import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.flaky.FlakyCase;
 import org.sitaf.core.model.TestModel;
@@ -126,6 +127,10 @@ public final class RunCommand implements Callable<Integer> {
       devices.requireNone(spec);
     }
     debugging.check(spec, remote.isRemote(), cases.areRepeated(), sandbox.isRequired());
+    if (debugging.debug && ros.implementation() != RosImplementation.INCLUDED) {
+      throw new CommandLine.ParameterException(
+          spec.commandLine(), "--debug is not available with --ros system");
+    }
     if (remote.isRemote() && generation.changesModel()) {
       throw new CommandLine.ParameterException(
           spec.commandLine(),

@@ -13,6 +13,7 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.terminal.Printable;
 import org.sitaf.cli.terminal.ProgressLine;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.suite.CaseNumbers;
@@ -58,7 +59,7 @@ final class RemoteBuild {
    * @throws InterruptedException if this thread is interrupted; the build is cancelled
    */
   byte[] build(String suiteId) throws IOException, InterruptedException {
-    request(suiteId, null, new RemoteRun.Source("", Map.of()));
+    request(suiteId, null, new RemoteRun.Source("", Map.of()), RosImplementation.INCLUDED);
     return await();
   }
 
@@ -66,8 +67,10 @@ final class RemoteBuild {
    * Requests the build of a suite.
    *
    * @param cases null for all
+   * @param ros what a ROS 2 node runs with
    */
-  void request(String suiteId, @Nullable CaseNumbers cases, RemoteRun.Source source)
+  void request(
+      String suiteId, @Nullable CaseNumbers cases, RemoteRun.Source source, RosImplementation ros)
       throws IOException, InterruptedException {
     Map<String, Object> request = new LinkedHashMap<>();
     request.put("suiteId", suiteId);
@@ -79,6 +82,9 @@ final class RemoteBuild {
     }
     if (!source.labels().isEmpty()) {
       request.put("buildLabels", source.labels());
+    }
+    if (ros != RosImplementation.INCLUDED) {
+      request.put("ros", ros.name());
     }
     requested = server.post("builds", request);
     id = requested.path("id").asString();

@@ -14,6 +14,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.terminal.ProgressLine;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.flaky.FlakyCase;
 import org.sitaf.core.suite.CaseNumbers;
@@ -35,14 +36,21 @@ public final class RemoteRun {
   private final ServerClient server;
   private final RemoteActivity activity;
   private final Source source;
+  private final RosImplementation ros;
   private final PrintStream err;
 
   private RemoteRun(
-      URI address, ServerClient server, RemoteActivity activity, Source source, PrintStream err) {
+      URI address,
+      ServerClient server,
+      RemoteActivity activity,
+      Source source,
+      RosImplementation ros,
+      PrintStream err) {
     this.address = address;
     this.server = server;
     this.activity = activity;
     this.source = source;
+    this.ros = ros;
     this.err = err;
   }
 
@@ -68,12 +76,18 @@ public final class RemoteRun {
    * Uploads an activity.
    *
    * @param name of the activity
+   * @param ros what ROS 2 nodes run with
    * @param err for progress and build logs
    * @throws InvalidInputException if the server rejects the activity; contains the server's
    *     diagnostics
    */
   public static RemoteRun upload(
-      Target target, String name, FileTree files, Source source, PrintStream err)
+      Target target,
+      String name,
+      FileTree files,
+      Source source,
+      RosImplementation ros,
+      PrintStream err)
       throws IOException, InterruptedException {
     URI address = target.address();
     verify(address, target.plaintext());
@@ -89,6 +103,7 @@ public final class RemoteRun {
         server,
         RemoteActivity.upload(server, target.activity(), name, files),
         source,
+        ros,
         err);
   }
 
@@ -168,7 +183,7 @@ public final class RemoteRun {
         return Optional.empty();
       }
       boolean whole = selected.cases().size() == all.cases().size();
-      build.request(suiteId, whole ? null : CaseNumbers.of(numbers(selected)), source);
+      build.request(suiteId, whole ? null : CaseNumbers.of(numbers(selected)), source, ros);
       try {
         if (activity.isUnchanged()) {
           return Optional.of(whole);

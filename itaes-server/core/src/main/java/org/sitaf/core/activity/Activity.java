@@ -176,14 +176,11 @@ public record Activity(
     if (implementation == RosImplementation.INCLUDED) {
       return this;
     }
-    if (ros == null || ros.node().isCpp()) {
+    if (ros == null) {
       throw InvalidInputException.of(
           "activity.yaml",
-          ros == null
-              ? "the component is no ROS 2 node, so it does not run with an installed ROS 2;"
-                  + " omit --ros system"
-              : "nodes in C++ run with the rclcpp that comes along only; --ros system is for"
-                  + " language: ros2-python");
+          "the component is no ROS 2 node, so it does not run with an installed ROS 2; omit --ros"
+              + " system");
     }
     return new Activity(
         profile,

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.activity.ActivityProfile.Sanitizer;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.activity.ros.RosNode.EndKind;
 import org.sitaf.core.activity.ros.RosNode.Topic;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -303,5 +304,31 @@ class RosActivityTest {
     Map<String, byte[]> files = new HashMap<>();
     texts.forEach((path, text) -> files.put(path, text.getBytes(StandardCharsets.UTF_8)));
     return FileTree.of(files);
+  }
+
+  @Test
+  void theImplementationOfRosIsKeptWithTheApplication() {
+    Activity included = Activity.read(tree(files), PACKAGES);
+    Activity activity = included.with(RosImplementation.SYSTEM);
+    TestModel model = activity.models().get(0);
+    TestSuite suite = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
+    TestApplication application =
+        InterfaceTestApplicationGenerator.generate(activity, model, suite);
+
+    TestApplication read = TestApplication.read(application.files());
+
+    assertThat(read.activity().rosImplementation()).contains(RosImplementation.SYSTEM);
+    assertThat(read.files().paths()).isEqualTo(application.files().paths()).contains("ros");
+    assertThat(application.harness().text(planPath(application)).orElseThrow())
+        .contains("\"installed\": true");
+    assertThat(activity.limits().caseWall())
+        .as("a case in real time has more of it")
+        .isEqualTo(
+            included.limits().caseWall().plus(included.limits().caseSimulation().multipliedBy(4)));
+    assertThat(
+            InterfaceTestApplicationGenerator.generate(included, model, suite)
+                .files()
+                .content("ros"))
+        .isEmpty();
   }
 }

@@ -1,6 +1,7 @@
 package org.sitaf.server.build.request;
 
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.server.error.RequestException;
 
@@ -15,6 +16,7 @@ import org.sitaf.server.error.RequestException;
  * @param recordings which cases are recorded; null for {@link RecordedCases#byDefault}
  * @param cases the cases to execute, which keep their numbers; null for all
  * @param explain whether failures are explained when the build ends
+ * @param ros what a ROS 2 node runs with
  */
 public record BuildOptions(
     int priority,
@@ -23,9 +25,11 @@ public record BuildOptions(
     AgentConstraints agent,
     @Nullable RecordedCases recordings,
     @Nullable CaseNumbers cases,
-    boolean explain) {
+    boolean explain,
+    RosImplementation ros) {
   public static final BuildOptions DEFAULT =
-      new BuildOptions(0, 1, null, AgentConstraints.NONE, null, null, false);
+      new BuildOptions(
+          0, 1, null, AgentConstraints.NONE, null, null, false, RosImplementation.INCLUDED);
 
   private static final int MAX_PRIORITY = 100;
   private static final int MAX_SHARDS = 100;
@@ -52,6 +56,6 @@ public record BuildOptions(
 
   /** These options for other cases; null for all. */
   public BuildOptions withCases(@Nullable CaseNumbers numbers) {
-    return new BuildOptions(priority, shards, retries, agent, recordings, numbers, explain);
+    return new BuildOptions(priority, shards, retries, agent, recordings, numbers, explain, ros);
   }
 }

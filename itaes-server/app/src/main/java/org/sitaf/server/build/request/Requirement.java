@@ -8,8 +8,11 @@ public sealed interface Requirement {
   /** The requirement in a sentence such as "no agent offers ...". */
   String words();
 
-  /** A language that the agent can compile and run. */
+  /** A language that the agent can compile and run, or a ROS 2 that nodes can run with. */
   record Language(String name) implements Requirement {
+    /** As agents register the ROS 2 of their machine. */
+    static final Language INSTALLED_ROS = new Language("ros");
+
     @Override
     public boolean isMetBy(Capabilities agent) {
       return agent.toolchains().stream().anyMatch(t -> t.language().equals(name));
@@ -17,7 +20,7 @@ public sealed interface Requirement {
 
     @Override
     public String words() {
-      return name;
+      return equals(INSTALLED_ROS) ? "an installed ROS 2" : name;
     }
   }
 

@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.hardware.DeviceBackend;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.build.request.Requirement.Device;
 import org.sitaf.server.build.request.Requirement.Label;
@@ -40,6 +41,9 @@ public record Requirements(List<Requirement> all) {
     if (profile.reference() != null) {
       requirements.add(new Language(profile.reference().language().id()));
     }
+    if (application.activity().rosImplementation().equals(Optional.of(RosImplementation.SYSTEM))) {
+      requirements.add(Language.INSTALLED_ROS);
+    }
     if (profile.world() != null) {
       requirements.add(new Simulation());
     }
@@ -64,6 +68,13 @@ public record Requirements(List<Requirement> all) {
         .filter(Device.class::isInstance)
         .map(requirement -> ((Device) requirement).name())
         .collect(Collectors.toUnmodifiableSet());
+  }
+
+  /** What a ROS 2 node of the build runs with. */
+  public RosImplementation rosImplementation() {
+    return all.contains(Language.INSTALLED_ROS)
+        ? RosImplementation.SYSTEM
+        : RosImplementation.INCLUDED;
   }
 
   /** Parses the result of {@link #text()}. */

@@ -4,6 +4,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.suite.CaseNumbers;
 import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
@@ -50,7 +51,13 @@ record BuildRequest(
                     + " together with cases")
         @Nullable String failedOf,
     @Schema(description = "whether the failures are explained when the build ends; default false")
-        @Nullable Boolean explain) {
+        @Nullable Boolean explain,
+    @Schema(
+            description =
+                "what a ROS 2 node runs with: INCLUDED, the API that comes along, over simulated"
+                    + " time, or SYSTEM, the ROS 2 that is installed on the agent, in real time;"
+                    + " default INCLUDED")
+        @Nullable RosImplementation ros) {
 
   BuildSource source() {
     return new BuildSource(
@@ -67,7 +74,8 @@ record BuildRequest(
             toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
         recordings,
         numbers(),
-        Boolean.TRUE.equals(explain));
+        Boolean.TRUE.equals(explain),
+        ros == null ? RosImplementation.INCLUDED : ros);
   }
 
   private @Nullable CaseNumbers numbers() {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.server.build.AttemptSummary;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
@@ -70,8 +71,9 @@ record BuildView(
         BuildKind kind,
     @Schema(description = "build that is analysed; absent for kind TEST")
         @Nullable String analysedId,
-    @Schema(description = "whether the failures are explained when the build ends")
-        boolean explain) {
+    @Schema(description = "whether the failures are explained when the build ends") boolean explain,
+    @Schema(description = "what a ROS 2 node runs with, as in a build request")
+        RosImplementation ros) {
 
   /** The states of {@link BuildState}, except those of attempts only. */
   enum State {
@@ -204,7 +206,8 @@ record BuildView(
         build.caseNumbers().orElse(null),
         build.kind(),
         build.analysedId().orElse(null),
-        build.explainsFailures());
+        build.explainsFailures(),
+        build.requirements().rosImplementation());
   }
 
   private static <R extends Requirement> Stream<R> requirements(Build build, Class<R> kind) {

@@ -14,6 +14,7 @@ import org.eclipse.jgit.errors.MissingObjectException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.activity.ros.RosImplementation;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
@@ -53,7 +54,8 @@ class CommitBuilds {
 
   /** Commits of searches are built when nothing else waits. */
   private static final BuildOptions FOR_BISECTION =
-      new BuildOptions(-50, 1, null, AgentConstraints.NONE, null, null, false);
+      new BuildOptions(
+          -50, 1, null, AgentConstraints.NONE, null, null, false, RosImplementation.INCLUDED);
 
   /** Whole activities in memory. */
   private static final int AT_ONCE = 2;

@@ -95,9 +95,14 @@ final class CppNodes {
    *     which could change the runtime that builds share
    * @param prefixes folders of Python's own library
    * @param roots names of the copies of the activity's folders in the output folder
+   * @param ros the installation that the node runs with; null for the runtime that comes along
    */
   void compile(
-      Compilation compilation, Path environment, List<Path> prefixes, Map<String, String> roots)
+      Compilation compilation,
+      Path environment,
+      List<Path> prefixes,
+      Map<String, String> roots,
+      @Nullable RosInstallation ros)
       throws CompilationException, IOException, InterruptedException {
     Path compiler =
         compiler()
@@ -112,7 +117,6 @@ final class CppNodes {
     Path interfaces = harness.resolve(RosHarness.INTERFACES);
     List<Path> readable = new ArrayList<>(prefixes);
     readable.addAll(List.of(environment, api, harness));
-    Path runtime = runtime(compilation, environment, compiler, interfaces, readable);
     Path into = folder(compilation);
     Files.createDirectories(into);
     Path scratch = Files.createTempDirectory(compilation.scratch(), "node-");
@@ -121,7 +125,6 @@ final class CppNodes {
     add(arguments, "--api", api);
     add(arguments, "--interfaces", interfaces);
     add(arguments, "--into", into);
-    add(arguments, "--runtime", runtime);
     add(arguments, "--scratch", scratch);
     add(arguments, "--package", sources);
     arguments.addAll(List.of("--entry", node.entry()));
@@ -141,7 +144,16 @@ final class CppNodes {
       arguments.add("--sanitize");
       profile.sanitizers().forEach(sanitizer -> arguments.add(sanitizer.id()));
     }
-    readable.addAll(List.of(runtime, sources));
+    if (ros == null) {
+      Path runtime = runtime(compilation, environment, compiler, interfaces, List.copyOf(readable));
+      add(arguments, "--runtime", runtime);
+      readable.add(runtime);
+    } else {
+      arguments.add("--ros");
+      ros.prefixes().forEach(prefix -> arguments.add(prefix.toString()));
+      readable.addAll(ros.readable());
+    }
+    readable.add(sources);
     ToolResult end =
         run(
             compilation,

@@ -185,6 +185,18 @@ public record RosInstallation(
     return folders.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
   }
 
+  /** What nodes are compiled with: the installation and the release of its libraries. */
+  String identity() {
+    StringBuilder identity = new StringBuilder("\n");
+    for (Path prefix : prefixes) {
+      identity.append(prefix).append(' ');
+      for (String part : List.of("share/rclcpp/package.xml", "share/rcl/package.xml")) {
+        identity.append(prefix.resolve(part).toFile().lastModified()).append(' ');
+      }
+    }
+    return identity.append(version).toString();
+  }
+
   /** The folders that the process reads. */
   List<Path> readable() {
     return Stream.of(prefixes, modules, libraries).flatMap(List::stream).distinct().toList();
