@@ -75,7 +75,7 @@ def test_a_cpp_node_is_compiled_with_the_installed_ros(sitaf, tmp_path):
         "<user_value_list><value>a</value><value>b</value></user_value_list></test_element></input_spec_list>"
         '<output_spec_list><test_element abstract_type="STRING" real_type="string"><name>heard.data</name>'
         "<type>OUT</type></test_element></output_spec_list><post_condition_spec_list>"
-        '<post_condition>heard.data == "heard " + said.data</post_condition></post_condition_spec_list>'
+        '<post_condition>messages["heard"][0].data == "heard " + said.data</post_condition></post_condition_spec_list>'
         "<order_of_combinations>1</order_of_combinations></test_model>"
     )
     run = sitaf("run", tmp_path, "--ros", "system")

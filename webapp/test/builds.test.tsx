@@ -3,7 +3,7 @@ import { describe, expect, test, vi } from 'vitest';
 import { eachWithServer } from './support/eachWithServer';
 import { LOG_PART, type FakeServer } from './support/FakeServer';
 import { openPortal } from './support/openPortal';
-import { activity, build, doneBuild, resultCases } from './support/samples';
+import { activity, AGENT, build, doneBuild, resultCases } from './support/samples';
 
 let server: FakeServer;
 
@@ -67,6 +67,29 @@ describe('a build', () => {
         { activityId: 'a1', model: 'GetInfraredData', priority: 7, labels: ['bench'] },
       ]);
     });
+  });
+
+  test('runs a node with the ROS 2 that an agent has', async () => {
+    server.activities.push(activity('a1'));
+    server.agents = [{ ...AGENT, toolchains: [{ language: 'ros', version: 'jazzy' }] }];
+    const { user } = openPortal(server, '/activities/a1');
+    await user.click(await screen.findByRole('button', { name: 'Build options' }));
+    await user.click(await screen.findByLabelText('Installed ROS 2'));
+    await user.keyboard('{Escape}');
+    await screen.findByRole('button', { name: 'Options: installed ROS 2' });
+    await user.click(screen.getByRole('button', { name: 'Build later' }));
+    await user.click(await screen.findByRole('button', { name: 'Create schedule' }));
+    await waitFor(() => {
+      expect(server.scheduleRequests).toMatchObject([{ activityId: 'a1', ros: 'SYSTEM' }]);
+    });
+  });
+
+  test('offers no installed ROS 2 where no agent has one', async () => {
+    server.activities.push(activity('a1'));
+    const { user } = openPortal(server, '/activities/a1');
+    await user.click(await screen.findByRole('button', { name: 'Build options' }));
+    await screen.findByLabelText('Explain failures');
+    expect(screen.queryByLabelText('Installed ROS 2')).toBeNull();
   });
 
   test('is scheduled for later with its test cases', async () => {
