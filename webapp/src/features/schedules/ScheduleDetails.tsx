@@ -84,6 +84,9 @@ function Facts({ schedule }: { schedule: Schedule }) {
     ['Shards', String(schedule.shards)],
     ['Recordings', labelOfRecordings(schedule.recordings ?? '')],
   ];
+  if (schedule.ros === 'SYSTEM') {
+    facts.push(['ROS 2 nodes', 'run with the ROS 2 of the agent']);
+  }
   return (
     <Table verticalSpacing={4} withRowBorders={false} aria-label="Details">
       <Table.Tbody>
