@@ -1,5 +1,7 @@
 """What holds for a node whatever it runs with: the API that comes along, or an installed ROS 2 (`--ros system`)."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 
 from sitaf_ros import ActionAnswer, Delayed, NodeError
@@ -226,6 +228,20 @@ def hear(case):
 
 def test_a_main_function_reads_a_terminal_and_spins(run):
     assert run(MAIN, hear, entry="followed:main", stdin=["alpha"]) == [(0.1, "alpha"), (0.2, "alpha")]
+
+
+@needs_ros
+@pytest.mark.slow
+def test_nodes_that_run_at_once_do_not_hear_each_other(tmp_path):
+    (tmp_path / "followed.py").write_text(HEAD + MAIN, encoding="utf-8")
+
+    def run_one(name):
+        return run_installed(tmp_path, "followed:main", hear, stdin=[name])
+
+    names = [f"node {i}" for i in range(4)]
+    with ThreadPoolExecutor(len(names)) as pool:
+        heard = list(pool.map(run_one, names))
+    assert [[text for _, text in got] for got in heard] == [[name, name] for name in names]
 
 
 ACTIONS = """
