@@ -30,8 +30,8 @@ _STEP_NS = _MS
 # For the nodes to be there: discovery within a process takes tenths of a second.
 _READY_AT_MOST_S = 10.0
 _UNCHANGED_S = 0.1
-# A node that uses ROS time subscribes to /clock when it is made, which may take longer.
-_WITHOUT_CLOCK_S = 2.0
+# Where the quality of service does not fit, or a node does not use ROS time, they never meet.
+_UNCONNECTED_S = 2.0
 # A callback may calculate for long; time waits for it.
 _REST_AT_MOST_S = 20.0
 _END_AT_MOST_S = 5.0
@@ -271,8 +271,7 @@ class InstalledSystem(TestSide):
             now, now_s = self._observed.graph(), time.monotonic()
             if now != found:
                 found, since_s = now, now_s
-            hears = self._clock.get_subscription_count() > 0
-            if self._ended or now_s - since_s >= (_UNCHANGED_S if hears else _WITHOUT_CLOCK_S):
+            if self._ended or now_s - since_s >= (_UNCHANGED_S if self._is_connected() else _UNCONNECTED_S):
                 break
             if now_s > end_s:
                 self.unobserved.warn(f"the node was not ready after {_READY_AT_MOST_S:.0f} s")
@@ -280,6 +279,15 @@ class InstalledSystem(TestSide):
             time.sleep(0.005)
         self._due_s = time.monotonic()
         self._clock_ns = -_STEP_NS
+
+    def _is_connected(self) -> bool:
+        """Whether the nodes hear the clock, and all publishers and subscriptions of a topic have met."""
+        node = self._node
+        return (
+            self._clock.get_subscription_count() > 0
+            and all(s.get_publisher_count() >= node.count_publishers(s.topic_name) for s in node.subscriptions)
+            and all(p.get_subscription_count() >= node.count_subscribers(p.topic_name) for p in node.publishers)
+        )
 
     def _main(self) -> None:
         """Run the nodes; called in the main thread."""
