@@ -217,6 +217,10 @@ install_ros_interfaces() {
 set_up_installed_ros() {
   local wanted=$launcher/ros-requirements.txt
   newer_than "$state/ros-jazzy/stamp" "$wanted" || return 0
+  if [ "$(uname -m)" != x86_64 ]; then
+    echo "sitaf: PyPI has ROS 2 for x86_64 only; install the packages of ROS itself, and source its setup.bash" >&2
+    exit 2
+  fi
   mkdir -p "$state"
   locked
   if newer_than "$state/ros-jazzy/stamp" "$wanted"; then

@@ -44,8 +44,8 @@ if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
   "$python" -m pip install --quiet "$home/sim-bridge[robots]"
 fi
 
-# Nodes run with it, too.
-$fast || set_up_installed_ros
+# Nodes run with it, too. PyPI does not have it for each machine and Python.
+$fast || (set_up_installed_ros) || echo "sitaf: ROS 2 cannot be installed here: tests that need it are skipped"
 
 # tests_of REPORT FOLDER [OPTION...]: runs the tests of a folder.
 tests_of() {
