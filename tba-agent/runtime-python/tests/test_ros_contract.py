@@ -244,6 +244,22 @@ def test_nodes_that_run_at_once_do_not_hear_each_other(tmp_path):
     assert [[text for _, text in got] for got in heard] == [[name, name] for name in names]
 
 
+EARLY = """
+import sys
+def main(argv=sys.argv[1:]):
+    rclpy.init(args=argv)
+    node = rclpy.create_node('probe')
+    out = node.create_publisher(String, 'out', 10)
+    node.declare_parameter('word', 'none')
+    node.create_timer(0.1, lambda: out.publish(String(data=node.get_parameter('word').value)))
+    rclpy.spin(node)
+"""
+
+
+def test_a_main_function_may_take_its_arguments_when_it_is_imported(run):
+    assert run(EARLY, hear, entry="followed:main", parameters={"word": "given"}) == [(0.1, "given"), (0.2, "given")]
+
+
 ACTIONS = """
 from rclpy.action import ActionClient, ActionServer, GoalResponse
 from test_msgs.action import Fibonacci

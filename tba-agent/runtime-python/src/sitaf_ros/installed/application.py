@@ -10,7 +10,7 @@ import random
 import sys
 import tempfile
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +34,7 @@ class InstalledApplication(RosApplication):
         super().__init__(*arguments, **named)
         self._mains: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
         self._reserved: Any = None
+        self._temporary = Path()
 
     def install(self) -> None:
         """Make the installed packages importable; those of the runtime's environment win."""
@@ -44,7 +45,7 @@ class InstalledApplication(RosApplication):
         modules = [folder for folder in os.environ.get(MODULES, "").split(os.pathsep) if folder]
         sys.path += [folder for folder in modules if folder not in sys.path]
         # Logs of rcl; and a prefix as the package itself would have it when it is installed.
-        temporary = Path(tempfile.mkdtemp(prefix="sitaf-ros-"))
+        temporary = self._temporary = Path(tempfile.mkdtemp(prefix="sitaf-ros-"))
         os.environ["ROS_LOG_DIR"] = str(temporary / "log")
         self._as_installed(temporary)
         try:
@@ -60,6 +61,27 @@ class InstalledApplication(RosApplication):
             (prefix / "share" / name).symlink_to(folder)
         before = os.environ.get("AMENT_PREFIX_PATH", "")
         os.environ["AMENT_PREFIX_PATH"] = os.pathsep.join(filter(None, (str(prefix), before)))
+
+    def load(self, entry: str, environment: Mapping[str, str] | None = None, arguments: Iterable[str] = ()) -> None:
+        """Import the entry; a `main(argv=sys.argv)` reads its arguments now, so the files of parameters have names."""
+        self.install()
+        super().load(entry, environment, [*arguments, "--ros-args", *self._write_parameters({})])
+
+    def _write_parameters(self, parameters: Mapping[str, Any]) -> list[str]:
+        """Write the parameters of a case; return the arguments that name their files."""
+        of_all = {"/**": {ROS_PARAMETERS: {"use_sim_time": True}}}
+        own = (
+            parameters
+            if is_parameter_file(parameters)
+            else {"/**": {ROS_PARAMETERS: {**parameters, "use_sim_time": True}}}
+        )
+        arguments = []
+        for name, content in (("case", own), ("time", of_all)):
+            file = self._temporary / f"{name}.yaml"
+            # JSON is YAML.
+            file.write_text(json.dumps(content), encoding="utf-8")
+            arguments += ["--params-file", str(file)]
+        return arguments
 
     def _check(self, file: Path | None) -> None:
         """Check nothing: the whole API is there."""
@@ -106,7 +128,13 @@ class InstalledApplication(RosApplication):
         os.environ.update(settings.environment)
         random.seed(settings.seed)
         _set_input(settings.stdin)
-        sys.argv = [self.package or "node", *settings.arguments, "--ros-args", *_arguments(settings)]
+        sys.argv = [
+            self.package or "node",
+            *settings.arguments,
+            "--ros-args",
+            *self._write_parameters(settings.parameters),
+        ]
+        sys.argv += _names(settings)
         return InstalledSystem(self, settings, lambda: run(settings))
 
 
@@ -120,21 +148,9 @@ def _set_input(lines: tuple[str, ...] | list[str]) -> None:
     sys.stdin = os.fdopen(0, encoding="utf-8", closefd=False)
 
 
-def _arguments(settings: RosSettings) -> list[str]:
-    """The arguments after `--ros-args`; a node reads them in `init`."""
-    of_all = {"use_sim_time": True}
-    files: list[Any] = [{"/**": {ROS_PARAMETERS: of_all}}]
-    if is_parameter_file(settings.parameters):
-        files.insert(0, settings.parameters)
-    else:
-        of_all = {**settings.parameters, **of_all}
-        files = [{"/**": {ROS_PARAMETERS: of_all}}]
+def _names(settings: RosSettings) -> list[str]:
+    """The arguments that replace names."""
     arguments: list[str] = []
-    for content in files:
-        # JSON is YAML.
-        with tempfile.NamedTemporaryFile("w", suffix=".yaml", delete=False, encoding="utf-8") as file:
-            json.dump(content, file)
-        arguments += ["--params-file", file.name]
     for source, target in settings.remap.items():
         arguments += ["-r", f"{source}:={target}"]
     if settings.node_name is not None:
