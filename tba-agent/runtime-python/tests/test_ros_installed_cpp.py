@@ -65,4 +65,4 @@ def stop(case):
 
 
 def test_what_a_node_throws_is_the_error_of_the_case(library):
-    assert run_installed(library.parent, str(library), stop) == "main: CppNodeFailedError: told to stop"
+    assert run_installed(library.parent, str(library), stop) == "main: CppNodeFailedError: stop requested"

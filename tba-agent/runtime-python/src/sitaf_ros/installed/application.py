@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import json
 import os
 import queue
 import random
@@ -75,11 +74,11 @@ class InstalledApplication(RosApplication):
             if is_parameter_file(parameters)
             else {"/**": {ROS_PARAMETERS: {**parameters, "use_sim_time": True}}}
         )
+        yaml: Any = importlib.import_module("yaml")  # rclpy needs it, too
         arguments = []
         for name, content in (("case", own), ("time", of_all)):
             file = self._temporary / f"{name}.yaml"
-            # JSON is YAML.
-            file.write_text(json.dumps(content), encoding="utf-8")
+            file.write_text(yaml.safe_dump(content), encoding="utf-8")
             arguments += ["--params-file", str(file)]
         return arguments
 

@@ -41,7 +41,7 @@ int main(int argc, char ** argv)
     }
     String message;
     while (rcl_take(&in, &message, nullptr, nullptr) == RCL_RET_OK) {
-      if (message.data == "stop") {throw std::runtime_error("told to stop");}
+      if (message.data == "stop") {throw std::runtime_error("stop requested");}
       String answer;
       answer.data = answer_to(message.data);
       (void)rcl_publish(&out, &answer, nullptr);

@@ -141,30 +141,12 @@ public record Activity(
 
   /** The same activity without repeated calls, unless a model orders them. */
   public Activity withoutTiming() {
-    return new Activity(
-        profile.withoutTiming(),
-        files,
-        provided,
-        required,
-        outputPorts,
-        world,
-        models,
-        ros,
-        warnings);
+    return copy(profile.withoutTiming(), files, ros);
   }
 
   /** The same activity with another content of a source file of its component. */
   public Activity withSource(String path, byte[] content) {
-    return new Activity(
-        profile,
-        files.with(path, content),
-        provided,
-        required,
-        outputPorts,
-        world,
-        models,
-        ros,
-        warnings);
+    return copy(profile, files.with(path, content), ros);
   }
 
   /**
@@ -182,16 +164,7 @@ public record Activity(
           "the component is no ROS 2 node, so it does not run with an installed ROS 2; omit --ros"
               + " system");
     }
-    return new Activity(
-        profile,
-        files,
-        provided,
-        required,
-        outputPorts,
-        world,
-        models,
-        ros.with(implementation),
-        warnings);
+    return copy(profile, files, ros.with(implementation));
   }
 
   /** What a ROS 2 node runs with; empty for other components. */
@@ -219,8 +192,13 @@ public record Activity(
         visible.put(path, files.content(path).orElseThrow());
       }
     }
+    return copy(other, FileTree.of(visible), ros);
+  }
+
+  private Activity copy(
+      ActivityProfile newProfile, FileTree newFiles, @Nullable RosInterfaces newRos) {
     return new Activity(
-        other, FileTree.of(visible), provided, required, outputPorts, world, models, ros, warnings);
+        newProfile, newFiles, provided, required, outputPorts, world, models, newRos, warnings);
   }
 
   private static boolean isBelow(String path, List<String> folders) {

@@ -118,38 +118,19 @@ public record RosNode(
 
   /** A copy with names of services and actions. */
   public RosNode withServices(Map<String, String> names) {
-    return new RosNode(
-        isCpp,
-        entry,
-        isMain,
-        packages,
-        parameters,
-        parameterFile,
-        remap,
-        environment,
-        stdin,
-        topics,
-        names,
-        implementation);
-  }
-
-  RosNode with(RosImplementation chosen) {
-    return new RosNode(
-        isCpp,
-        entry,
-        isMain,
-        packages,
-        parameters,
-        parameterFile,
-        remap,
-        environment,
-        stdin,
-        topics,
-        services,
-        chosen);
+    return copy(topics, names, implementation);
   }
 
   RosNode withTopics(List<Topic> resolved) {
+    return copy(resolved, services, implementation);
+  }
+
+  RosNode with(RosImplementation chosen) {
+    return copy(topics, services, chosen);
+  }
+
+  private RosNode copy(
+      List<Topic> newTopics, Map<String, String> newServices, RosImplementation newImplementation) {
     return new RosNode(
         isCpp,
         entry,
@@ -160,8 +141,8 @@ public record RosNode(
         remap,
         environment,
         stdin,
-        resolved,
-        services,
-        implementation);
+        newTopics,
+        newServices,
+        newImplementation);
   }
 }

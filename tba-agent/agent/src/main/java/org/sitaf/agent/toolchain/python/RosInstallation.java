@@ -31,6 +31,10 @@ import org.jspecify.annotations.Nullable;
 public record RosInstallation(
     String version, List<Path> prefixes, List<Path> modules, List<Path> libraries) {
   private static final Path SYSTEM = Path.of("/opt/ros");
+
+  /** Python packages of the distribution, which packages of ROS depend on, such as PyYAML. */
+  private static final Path SYSTEM_MODULES = Path.of("/usr/lib/python3/dist-packages");
+
   private static final String PREFIXES = "AMENT_PREFIX_PATH";
   private static final String LIBRARIES = "LD_LIBRARY_PATH";
   private static final String DISTRIBUTION = "ROS_DISTRO";
@@ -58,10 +62,11 @@ public record RosInstallation(
    * @param python version of the interpreter that test applications use, such as 3.12.3
    */
   static Lookup find(String python) throws IOException {
-    return find(python, System.getenv(), SYSTEM);
+    return find(python, System.getenv(), SYSTEM, SYSTEM_MODULES);
   }
 
-  static Lookup find(String python, Map<String, String> environment, Path system)
+  static Lookup find(
+      String python, Map<String, String> environment, Path system, Path systemModules)
       throws IOException {
     List<Path> prefixes = folders(environment.get(PREFIXES));
     boolean isSourced = !prefixes.isEmpty();
@@ -105,6 +110,9 @@ public record RosInstallation(
               + release
               + ", which test applications use; install the Python that it is made for, and let"
               + " python3 be that one");
+    }
+    if (Files.isDirectory(systemModules)) {
+      modules.add(systemModules);
     }
     return new Lookup(
         Optional.of(

@@ -24,7 +24,8 @@ class RosInstallationTest {
   }
 
   private RosInstallation.Lookup find(Map<String, String> environment) throws IOException {
-    return RosInstallation.find(PYTHON, environment, folder.resolve("opt/ros"));
+    return RosInstallation.find(
+        PYTHON, environment, folder.resolve("opt/ros"), folder.resolve("dist-packages"));
   }
 
   @Test
@@ -33,11 +34,13 @@ class RosInstallationTest {
     Path jazzy = prefix("opt/ros/jazzy", "3.12");
     Files.createDirectories(jazzy.resolve("opt/zenoh_vendor/lib"));
     prefix("opt/ros/rolling", "3.12");
+    Path packages = Files.createDirectories(folder.resolve("dist-packages"));
 
     RosInstallation found = find(Map.of()).found().orElseThrow();
 
     assertThat(found.prefixes()).containsExactly(jazzy);
-    assertThat(found.modules()).containsExactly(jazzy.resolve("lib/python3.12/site-packages"));
+    assertThat(found.modules())
+        .containsExactly(jazzy.resolve("lib/python3.12/site-packages"), packages);
     assertThat(found.libraries())
         .containsExactly(jazzy.resolve("lib"), jazzy.resolve("opt/zenoh_vendor/lib"));
   }
