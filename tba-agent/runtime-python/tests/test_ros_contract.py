@@ -75,13 +75,13 @@ class Probe(Node):
         self.declare_parameter('kept', 3)
         out = self.create_publisher(String, 'out', 10)
         text = repr([self.get_parameter(n).value for n in ('speed', 'names', 'kept', 'use_sim_time')])
-        self.create_timer(0.01, lambda: out.publish(String(data=text)))
+        self.create_timer(0.2, lambda: out.publish(String(data=text)))
 """
 
 
 def hear_and_report(case):
     got = case.heard("/robot/out", "std_msgs/msg/String")
-    case.run(0.015)
+    case.run(0.25)
     case.system.end()
     return got, case.system.report()
 
@@ -89,7 +89,7 @@ def hear_and_report(case):
 def test_parameters_and_names_are_replaced(run):
     settings = {"parameters": {"speed": 2.5, "names": ["b", "c"], "spede": 1, "use_sim_time": True}}
     got, report = run(PARAMETERS, hear_and_report, remap={"out": "/robot/out"}, use_sim_time=True, **settings)
-    assert got == [(0.01, "[2.5, ['b', 'c'], 3, True]")]
+    assert got == [(0.2, "[2.5, ['b', 'c'], 3, True]")]
     assert report.undeclared_parameters == ("spede",)
     assert report.unobserved_topics == ()
 
@@ -120,7 +120,8 @@ class Probe(Node):
 
 def hear_latched(case):
     got = case.heard("/out", "std_msgs/msg/String")
-    case.run(0.05)
+    # A subscription that is made later meets its publisher in real time.
+    case.run(1)
     case.system.end()
     return [text for _, text in got], case.system.report()
 
@@ -140,7 +141,7 @@ class Probe(Node):
         self.create_service(SetBool, 'enable', self.enable)
         self.asks = self.create_client(Trigger, 'helper')
         self.out = self.create_publisher(String, 'out', 10)
-        self.create_timer(0.05, self.ask)
+        self.create_timer(0.5, self.ask)
         self.asked = False
 
     def enable(self, request, response):
@@ -169,7 +170,7 @@ def call_and_answer(case):
     missing = case.system.call_service("/nobody", "std_srvs/srv/SetBool", {"data": True})
     case.run(0.02)
     answered = case.system.fields(call.response)
-    case.run(0.3)
+    case.run(1)
     return answered, missing.error, got
 
 
@@ -178,7 +179,7 @@ def test_services_are_called_and_answered_after_simulated_time(run):
     assert answered == {"success": False, "message": "was True"}
     assert error == "no node offers the service /nobody of type std_srvs/srv/SetBool"
     assert [text for _, text in got] == ["helped"]
-    assert got[0][0] == pytest.approx(0.15, abs=0.002)
+    assert got[0][0] == pytest.approx(0.6, abs=0.002)
 
 
 ERRORS = """
@@ -269,7 +270,7 @@ class Probe(Node):
         self.server = ActionServer(self, Fibonacci, 'count', self.count, goal_callback=self.accept)
         self.asks = ActionClient(self, Fibonacci, 'other')
         self.out = self.create_publisher(String, 'out', 10)
-        self.begin = self.create_timer(0.05, self.ask)
+        self.begin = self.create_timer(0.5, self.ask)
 
     def accept(self, goal):
         return GoalResponse.REJECT if goal.order < 0 else GoalResponse.ACCEPT
@@ -307,7 +308,7 @@ def goals(case):
     feedback = []
     good = case.system.send_goal("/count", "test_msgs/action/Fibonacci", {"order": 3}, lambda m, _: feedback.append(m))
     bad = case.system.send_goal("/count", "test_msgs/action/Fibonacci", {"order": -1})
-    case.run(0.3)
+    case.run(1)
     ended = (good.accepted, good.status, list(good.result.sequence), bad.accepted)
     return ended, [list(message.sequence) for message in feedback], got
 
@@ -320,7 +321,7 @@ def test_goals_are_sent_and_served(run, tmp_path):
     assert ended == (True, 4, [0, 1, 2], False)
     assert feedback == [[3]]
     assert [text for _, text in got] == ["[7, 1]"]
-    assert got[0][0] == pytest.approx(0.15, abs=0.003)
+    assert got[0][0] == pytest.approx(0.6, abs=0.003)
 
 
 STATE = """
