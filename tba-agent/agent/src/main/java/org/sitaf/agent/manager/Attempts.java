@@ -99,6 +99,10 @@ final class Attempts {
     return true;
   }
 
+  private synchronized void releaseSlot(Attempt attempt) {
+    running.remove(attempt.key());
+  }
+
   /** Cancels an attempt; an unknown attempt is reported as cancelled. */
   void cancel(Cancellation cancellation) {
     Attempt attempt = Attempt.of(cancellation.getAttempt());
@@ -171,9 +175,7 @@ final class Attempts {
           null,
           null);
     } finally {
-      synchronized (this) {
-        running.remove(attempt.key());
-      }
+      releaseSlot(attempt);
       try {
         builds.remove(attempt.key());
       } catch (IOException e) {
@@ -191,7 +193,7 @@ final class Attempts {
     Backoff backoff = new Backoff();
     while (true) {
       try {
-        upload.add(attempt, message, log, recordings);
+        upload.add(attempt, message, log, recordings, () -> releaseSlot(attempt));
         return;
       } catch (IOException e) {
         LOGGER.log(System.Logger.Level.ERROR, attempt + ": the spool cannot be written: " + e);

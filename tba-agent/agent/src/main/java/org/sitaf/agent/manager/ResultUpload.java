@@ -64,13 +64,23 @@ final class ResultUpload implements AutoCloseable {
     thread.start();
   }
 
-  /** Adds a result; it is on disk when this returns. */
+  /**
+   * Adds a result; it is on disk when this returns.
+   *
+   * @param stored called when the result is on disk and pending, before its upload begins: the
+   *     server assigns the next build as soon as it has the result
+   */
   void add(
-      Attempt attempt, SubmitResultRequest message, @Nullable Path log, @Nullable Path recordings)
+      Attempt attempt,
+      SubmitResultRequest message,
+      @Nullable Path log,
+      @Nullable Path recordings,
+      Runnable stored)
       throws IOException {
     synchronized (entryLock) {
       spool.put(attempt.key(), message.toByteArray(), log, recordings);
       pending.put(attempt.key(), attempt.ref());
+      stored.run();
     }
     wake();
   }

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -66,7 +67,9 @@ class LeftoversOfBuildsTest {
     server.assign(
         FakeServer.attempt("b-" + number, 1, 16 + number), activity.application().files());
     server.await(s -> s.submitted().size() == number);
-    byte[] document = server.submitted().get(number - 1).getResultDescriptor().toByteArray();
+    SubmitResultRequest submitted = server.submitted().get(number - 1);
+    assertThat(submitted.getFailure().getMessage()).isEmpty();
+    byte[] document = submitted.getResultDescriptor().toByteArray();
     return TestResultXml.read(new ByteArrayInputStream(document), "result");
   }
 

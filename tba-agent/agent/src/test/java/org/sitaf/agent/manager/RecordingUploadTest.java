@@ -131,7 +131,8 @@ class RecordingUploadTest {
             ATTEMPT,
             SubmitResultRequest.newBuilder().setAttempt(ATTEMPT.ref()).build(),
             null,
-            directory.resolve("recordings"));
+            directory.resolve("recordings"),
+            () -> {});
         Files.delete(directory.resolve("recordings/3.glb"));
         assertThat(spool.entries().get(0).attachments()).hasSize(1);
         server.takeAttempts();

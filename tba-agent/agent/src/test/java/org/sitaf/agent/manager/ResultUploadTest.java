@@ -9,6 +9,10 @@ import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -69,8 +73,8 @@ class ResultUploadTest {
   @Test
   void anEntryThatFailsWithARuntimeExceptionDoesNotDelayOthers() throws Exception {
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
-      upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings());
-      upload.add(GOOD, failureOf(GOOD), null, null);
+      upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings(), () -> {});
+      upload.add(GOOD, failureOf(GOOD), null, null, () -> {});
 
       server.await(s -> s.submitted().stream().anyMatch(m -> m.getAttempt().equals(GOOD.ref())));
     }
@@ -79,8 +83,8 @@ class ResultUploadTest {
   @Test
   void setsAnUnreadableEntryAsideAndEndsItsLease() throws Exception {
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
-      upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings());
-      upload.add(GOOD, failureOf(GOOD), null, null);
+      upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings(), () -> {});
+      upload.add(GOOD, failureOf(GOOD), null, null, () -> {});
 
       awaitNothingPending(upload);
     }
@@ -89,10 +93,33 @@ class ResultUploadTest {
   }
 
   @Test
+  void reportsAStoredResultBeforeTheServerCanLearnOfIt() throws Exception {
+    try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
+      List<Integer> submitted = new ArrayList<>();
+      upload.add(
+          GOOD,
+          failureOf(GOOD),
+          null,
+          null,
+          () -> {
+            assertThat(upload.isPending(GOOD)).isTrue();
+            upload.wake();
+            // Time for the upload, which must not begin.
+            LockSupport.parkNanos(Duration.ofMillis(300).toNanos());
+            submitted.add(server.submitted().size());
+          });
+      awaitNothingPending(upload);
+
+      assertThat(submitted).containsExactly(0);
+    }
+    assertThat(server.submitted()).hasSize(1);
+  }
+
+  @Test
   void endsTheLeaseOfAnAttemptWithoutAnEntry() throws Exception {
     server.refuseAttempt(Status.UNAVAILABLE);
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
-      upload.add(BROKEN, failureOf(BROKEN), null, null);
+      upload.add(BROKEN, failureOf(BROKEN), null, null, () -> {});
       assertThat(upload.isPending(BROKEN)).isTrue();
       Files.move(entry(BROKEN), directory.resolve("elsewhere"));
 
@@ -133,7 +160,7 @@ class ResultUploadTest {
               .setAttempt(GOOD.ref())
               .setResultDescriptor(ByteString.copyFrom(new byte[9 << 20]))
               .build();
-      upload.add(GOOD, large, null, null);
+      upload.add(GOOD, large, null, null, () -> {});
       awaitNothingPending(upload);
     }
     assertThat(server.submitted())
