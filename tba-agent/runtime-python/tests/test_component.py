@@ -144,3 +144,4 @@ def test_out_parameters_are_returned_or_set():
 
 def test_parts_are_found_by_path():
     assert part_of({"path": [type("P", (), {"x": 3})]}, "path", 0, "x") == 3
+    assert part_of({"from": 1}, "from_") == part_of({"from_": 1}, "from_") == 1

@@ -1,6 +1,7 @@
 """Reading and writing of literals."""
 
 import enum
+import types
 from dataclasses import dataclass
 
 import pytest
@@ -46,6 +47,42 @@ def test_every_sequence_of_structs_is_read_back(points):
 def test_a_struct_is_written_by_its_members():
     assert literals.write(Point(1, 'a "quoted", one')) == '{x: 1, name: "a \\"quoted\\", one"}'
     assert literals.write(POINT.shaped(Point(1, "a"))) == '{x: 1.0, name: "a"}'
+
+
+class Way(enum.Enum):
+    locals()["None"] = 0
+    None_ = 0  # noqa: PIE796 - an alias, as in generated sources
+    BACK = 1
+
+
+WAY = kinds.enumeration(Way)
+
+
+@dataclass
+class Route:
+    from_: float = member(kinds.FLOAT64, "from")
+    way: Way = member(WAY)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        Route(1, Way.None_),
+        {"from": 1, "way": "None"},
+        {"from_": 1, "way": 0},
+        types.SimpleNamespace(from_=1, way=Way["None"]),
+    ],
+)
+def test_names_that_python_does_not_allow_are_those_of_the_document(answer):
+    assert literals.write(kinds.struct(Route).shaped(answer)) == "{from: 1.0, way: None}"
+
+
+def test_names_that_python_does_not_allow_are_read_as_in_the_document():
+    assert kinds.struct(Route).parse("{from: 2, way: BACK}") == Route(2, Way.BACK)
+    with pytest.raises(CaseDataError, match="unknown member from_; the struct has from, way"):
+        kinds.struct(Route).parse("{from_: 2}")
+    with pytest.raises(CaseDataError, match="'FORTH' is not one of None, BACK"):
+        kinds.struct(Route).parse("{way: FORTH}")
 
 
 @pytest.mark.parametrize("literal", ["", "1_0", "0x10", "--1", "1e", "one", "1.5.2", "٣", "sNaN", "1e9999999999"])

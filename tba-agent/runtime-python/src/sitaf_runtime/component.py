@@ -288,7 +288,11 @@ def part_of(value: Any, *path: str | int) -> Any:
     """
     for step in path:
         try:
-            value = value[step] if isinstance(step, int) or isinstance(value, dict) else getattr(value, step)
+            if isinstance(value, dict) and isinstance(step, str):
+                # `step` is the name of an attribute; a dictionary may have the document's name, such as `from`.
+                value = value[step] if step in value else value[step.removesuffix("_")]
+            else:
+                value = value[step] if isinstance(step, int) else getattr(value, step)
         except (LookupError, TypeError, AttributeError):
             return None
     return value

@@ -96,7 +96,7 @@ def enumeration(type_: type[E]) -> Kind[E]:
         try:
             return type_[literal.strip()]
         except KeyError as e:
-            raise CaseDataError(f"'{literal}' is not one of {', '.join(type_.__members__)}") from e
+            raise CaseDataError(f"'{literal}' is not one of {', '.join(known.name for known in type_)}") from e
 
     def shaped(value: Any) -> Any:
         value = literals.plain(value)
@@ -110,9 +110,13 @@ def enumeration(type_: type[E]) -> Kind[E]:
     return Kind(parse, lambda: first, shaped)
 
 
-def member(kind: Kind[T]) -> T:
-    """Declares a member of a struct as a field of a dataclass."""
-    return dataclasses.field(default_factory=kind.zero, metadata={"kind": kind})
+def member(kind: Kind[T], name: str = "") -> T:
+    """Declares a member of a struct as a field of a dataclass.
+
+    `name` is its name in documents where Python does not allow it: the member `from` is the field `from_`.
+    """
+    metadata = {"kind": kind, literals.NAME: name} if name else {"kind": kind}
+    return dataclasses.field(default_factory=kind.zero, metadata=metadata)
 
 
 _STRUCTS: dict[type, Kind[Any]] = {}
@@ -123,26 +127,31 @@ def struct(type_: type[T]) -> Kind[T]:
     known = _STRUCTS.get(type_)
     if known is not None:
         return known
-    kinds: dict[str, Kind[Any]] = {
-        field.name: field.metadata["kind"]
+    fields = {
+        literals.name_of(field): field
         for field in dataclasses.fields(type_)  # pyright: ignore[reportArgumentType]
     }
+    kinds: dict[str, Kind[Any]] = {name: field.metadata["kind"] for name, field in fields.items()}
+    attributes = {name: field.name for name, field in fields.items()}
 
     def parse(literal: str) -> T:
         given = literals.members(literal)
         unknown = [name for name in given if name not in kinds]
         if unknown:
             raise CaseDataError(f"'{literal}' has an unknown member {unknown[0]}; the struct has {', '.join(kinds)}")
-        return type_(**{name: kinds[name].parse(value) for name, value in given.items()})
+        return type_(**{attributes[name]: kinds[name].parse(value) for name, value in given.items()})
 
     def shaped(value: Any) -> Any:
         named = literals.members_of(value)
-        if named is None and all(hasattr(value, name) for name in kinds):
-            named = {name: getattr(value, name) for name in kinds}
+        if named is None and all(hasattr(value, name) for name in attributes.values()):
+            named = {name: getattr(value, name) for name in attributes.values()}
         if named is None:
             return value
-        return {name: kind.shaped(named[name]) for name, kind in kinds.items() if name in named}
+        # A class of the component itself has the attribute's name, a dictionary rather the document's.
+        given = {name: name if name in named else attribute for name, attribute in attributes.items()}
+        return {name: kinds[name].shaped(named[key]) for name, key in given.items() if key in named}
 
-    kind = Kind(parse, type_, shaped, lambda name: kinds[str(name)])
+    by_attribute = {attributes[name]: kind for name, kind in kinds.items()}
+    kind = Kind(parse, type_, shaped, lambda name: by_attribute[str(name)])
     _STRUCTS[type_] = kind
     return kind

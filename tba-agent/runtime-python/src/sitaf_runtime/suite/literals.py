@@ -193,12 +193,22 @@ def plain(value: Any) -> Any:
     return value.tolist() if hasattr(value, "tolist") and hasattr(value, "dtype") else value
 
 
+NAME = "document_name"
+"""The key of a field's name in documents, in its metadata; present where the field has another name."""
+
+
+def name_of(field: dataclasses.Field[Any]) -> str:
+    """The name of a dataclass's field in documents."""
+    name = field.metadata.get(NAME)
+    return name if isinstance(name, str) else field.name
+
+
 def members_of(value: Any) -> Mapping[str, Any] | None:
     """The members of a struct: of a dataclass, a mapping or a named tuple; None for anything else."""
     if isinstance(value, Mapping):
         return {str(name): part for name, part in value.items()}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+        return {name_of(field): getattr(value, field.name) for field in dataclasses.fields(value)}
     if isinstance(value, tuple) and hasattr(value, "_asdict"):
         return value._asdict()  # pyright: ignore[reportAttributeAccessIssue]
     return None

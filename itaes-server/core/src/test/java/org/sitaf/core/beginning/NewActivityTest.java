@@ -90,13 +90,23 @@ class NewActivityTest {
 
   @Test
   void refusesWhatTheLanguageCannotExpress() {
-    String idl =
-        "struct Range { double from; }; interface Sensor { boolean Set(in Range range); };";
+    String idl = "interface Sensor { boolean del(in double range); };";
 
     assertThatThrownBy(() -> propose(Language.PYTHON, idl))
         .isInstanceOf(InvalidInputException.class)
-        .hasMessageContaining("'from' is not a valid Python name");
-    assertThat(propose(Language.JAVA, idl).contains("Set.xml")).isTrue();
+        .hasMessageContaining("is not a valid Python method name");
+    assertThat(propose(Language.JAVA, idl).contains("del.xml")).isTrue();
+  }
+
+  @ParameterizedTest
+  @EnumSource(Language.class)
+  void renamesTypesAndMembersThatTheLanguageDoesNotAllow(Language language) {
+    String idl =
+        "struct Duration { double from; long class; };"
+            + " interface Sensor { boolean Set(in Duration range); };";
+
+    assertThat(propose(language, idl).text("Set.xml").orElseThrow())
+        .contains("range.from", "range.class");
   }
 
   @Test

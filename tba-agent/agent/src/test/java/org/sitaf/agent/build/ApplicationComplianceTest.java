@@ -2,12 +2,14 @@ package org.sitaf.agent.build;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -18,7 +20,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.sitaf.agent.build.BuildOutcome.Completed;
 import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.testing.EchoActivity;
@@ -37,11 +41,11 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.StubCalls;
 import org.sitaf.core.verdict.Verdict;
 
-/** The application of tests/compliance gives the same results in every language. */
+/** The applications of tests/compliance give the same results in every language. */
 @Tag("slow")
 @Timeout(300)
 class ApplicationComplianceTest {
-  private static final Path APPLICATION = Path.of("../../tests/compliance/application");
+  private static final Path COMPLIANCE = Path.of("../../tests/compliance");
   private static final Map<Language, String> CLASSES =
       Map.of(
           Language.JAVA,
@@ -54,35 +58,44 @@ class ApplicationComplianceTest {
   @TempDir private Path directory;
   private final Recording recording = new Recording();
 
-  private static List<List<String>> rows() throws IOException {
-    return Files.readAllLines(APPLICATION.resolve("expected.tsv")).stream()
+  private static Stream<Arguments> applications() {
+    return Stream.of("application", "names")
+        .flatMap(
+            name -> Arrays.stream(Language.values()).map(language -> arguments(name, language)));
+  }
+
+  private static List<List<String>> rows(Path application) throws IOException {
+    return Files.readAllLines(application.resolve("expected.tsv")).stream()
         .filter(line -> !line.startsWith("#"))
         .map(line -> List.of(line.split("\t", -1)))
         .toList();
   }
 
-  private static TestApplication application(Language language, String timing) throws IOException {
+  private static TestApplication application(Path application, Language language, String timing)
+      throws IOException {
     String name = language.name().toLowerCase(Locale.ROOT);
     Map<String, byte[]> files = new HashMap<>();
-    for (String file : List.of("Probe.idl", "Sensor.idl", "Locate.xml")) {
-      files.put(file, Files.readAllBytes(APPLICATION.resolve(file)));
+    try (Stream<Path> documents = Files.list(application)) {
+      for (Path file : documents.filter(Files::isRegularFile).toList()) {
+        files.put(file.getFileName().toString(), Files.readAllBytes(file));
+      }
     }
     String profile =
-        Files.readString(APPLICATION.resolve("activity.yaml"))
+        Files.readString(application.resolve("activity.yaml"))
                 .replace("LANGUAGE", name)
                 .replace("CLASS", CLASSES.get(language))
             + timing;
     files.put("activity.yaml", profile.getBytes(StandardCharsets.UTF_8));
-    Path sources = APPLICATION.resolve(name);
+    Path sources = application.resolve(name);
     try (Stream<Path> found = Files.walk(sources)) {
       for (Path source : found.filter(Files::isRegularFile).toList()) {
         files.put("component/" + sources.relativize(source), Files.readAllBytes(source));
       }
     }
     Activity activity = Activity.read(FileTree.of(files));
-    TestModel model = activity.model("Locate").orElseThrow();
+    TestModel model = activity.models().get(0);
     List<TestCase> cases = new ArrayList<>();
-    for (List<String> row : rows()) {
+    for (List<String> row : rows(application)) {
       cases.add(
           new TestCase(
               cases.size() + 1,
@@ -97,15 +110,16 @@ class ApplicationComplianceTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Language.class)
-  void resultsAreThoseOfTheTable(Language language) throws Exception {
-    assertThat(resultsOf(language, "")).allMatch(result -> result.repeated() == null);
+  @MethodSource("applications")
+  void resultsAreThoseOfTheTable(String application, Language language) throws Exception {
+    assertThat(resultsOf(application, language, "")).allMatch(result -> result.repeated() == null);
   }
 
   @ParameterizedTest
   @EnumSource(Language.class)
   void repeatedCallsDoNotChangeResults(Language language) throws Exception {
-    List<CaseResult> results = resultsOf(language, "timing: {warm_up: 1, repeat: 7}\n");
+    List<CaseResult> results =
+        resultsOf("application", language, "timing: {warm_up: 1, repeat: 7}\n");
     for (CaseResult result : results) {
       if (result.verdict() == Verdict.DONT) {
         assertThat(result.repeated()).isNull();
@@ -120,13 +134,15 @@ class ApplicationComplianceTest {
         .noneMatch(result -> result.time() != null && result.time().cold());
   }
 
-  private List<CaseResult> resultsOf(Language language, String timing) throws Exception {
+  private List<CaseResult> resultsOf(String name, Language language, String timing)
+      throws Exception {
+    Path application = COMPLIANCE.resolve(name);
     assumeTrue(
         EchoActivity.toolchains().of(language).isPresent(),
         () -> "skipped: " + EchoActivity.toolchains().missingMessage(language));
     BuildOutcome outcome =
         new BuildRun(
-                application(language, timing),
+                application(application, language, timing),
                 directory.resolve("build"),
                 EchoActivity.settings(SandboxMode.AUTO.open()),
                 recording)
@@ -137,7 +153,7 @@ class ApplicationComplianceTest {
     List<CaseResult> cases = ((Completed) outcome).result().cases();
     cases.forEach(result -> results.add(described(result)));
     List<String> expected =
-        rows().stream().map(row -> String.join("\t", row.subList(0, 7))).toList();
+        rows(application).stream().map(row -> String.join("\t", row.subList(0, 7))).toList();
     assertThat(results).as(recording.logText()).isEqualTo(expected);
     return cases;
   }

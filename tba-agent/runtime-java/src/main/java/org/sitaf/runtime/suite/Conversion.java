@@ -33,7 +33,7 @@ final class Conversion {
     }
     if (type.isEnum()) {
       for (Object constant : type.getEnumConstants()) {
-        if (((Enum<?>) constant).name().equals(literal.strip())) {
+        if (DocumentNames.of((Enum<?>) constant).equals(literal.strip())) {
           return constant;
         }
       }
@@ -42,7 +42,7 @@ final class Conversion {
               + literal
               + "' is not one of "
               + Arrays.stream(type.getEnumConstants())
-                  .map(constant -> ((Enum<?>) constant).name())
+                  .map(constant -> DocumentNames.of((Enum<?>) constant))
                   .collect(Collectors.joining(", ")));
     }
     return scalar(literal, type);
@@ -83,7 +83,7 @@ final class Conversion {
       Object zero = type.getConstructor().newInstance();
       for (int i = 0; i < components.length; i++) {
         types[i] = components[i].getType();
-        String member = rest.remove(components[i].getName());
+        String member = rest.remove(DocumentNames.of(components[i]));
         values[i] =
             member == null ? components[i].getAccessor().invoke(zero) : convert(member, types[i]);
       }
@@ -95,7 +95,7 @@ final class Conversion {
                 + rest.keySet().iterator().next()
                 + "; the struct has "
                 + Arrays.stream(components)
-                    .map(RecordComponent::getName)
+                    .map(DocumentNames::of)
                     .collect(Collectors.joining(", ")));
       }
       Constructor<?> constructor = type.getConstructor(types);

@@ -247,12 +247,12 @@ final class Literals {
       return shortest(number.toString(), DIGITS_OF_FLOAT, text -> Float.parseFloat(text) == number);
     }
     if (value instanceof Enum<?> constant) {
-      return constant.name();
+      return DocumentNames.of(constant);
     }
     if (value.getClass().isRecord()) {
       StringJoiner text = new StringJoiner(", ", "{", "}");
       for (RecordComponent component : value.getClass().getRecordComponents()) {
-        text.add(component.getName() + ": " + nested(Parts.read(component, value)));
+        text.add(DocumentNames.of(component) + ": " + nested(Parts.read(component, value)));
       }
       return text.toString();
     }

@@ -29,7 +29,7 @@ final class Parts {
   static @Nullable Object member(Object value, String name) {
     if (value.getClass().isRecord()) {
       for (RecordComponent component : value.getClass().getRecordComponents()) {
-        if (component.getName().equals(name)) {
+        if (DocumentNames.of(component).equals(name)) {
           return read(component, value);
         }
       }

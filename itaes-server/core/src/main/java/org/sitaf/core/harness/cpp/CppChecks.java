@@ -69,6 +69,7 @@ final class CppChecks {
           stub.methods().stream().map(HarnessPlan.StubMethod::method).toList());
     }
     ports(plan);
+    CppNames.DECLARED.check(plan.types(), plan.interfaceName(), diagnostics);
     plan.types().forEach(type -> declared(plan, type));
     plan.errors().forEach(error -> type(plan.interfaceName(), error, "error"));
   }
@@ -111,21 +112,10 @@ final class CppChecks {
   }
 
   private void declared(HarnessPlan plan, DataType type) {
-    type(plan.interfaceName(), HarnessPlan.simpleName(type), "type");
-    List<String> names =
-        type instanceof DataType.Struct struct
-            ? struct.members().stream().map(DataType.Member::name).toList()
-            : ((DataType.Enumeration) type).literals();
-    for (String name : names) {
-      if (!CppNames.isName(name)) {
-        diagnostics.error(
-            plan.interfaceName(),
-            0,
-            "type " + type.typeName(),
-            "'" + name + "' is not a valid C++ name");
-      }
-    }
-    if (names.isEmpty()) {
+    unique(plan.interfaceName(), CppNames.DECLARED.type(type), "type");
+    if (type instanceof DataType.Struct struct
+        ? struct.members().isEmpty()
+        : ((DataType.Enumeration) type).literals().isEmpty()) {
       diagnostics.error(
           plan.interfaceName(), 0, "type " + type.typeName(), "has neither members nor literals");
     }
@@ -139,6 +129,10 @@ final class CppChecks {
           kind + " " + name,
           "is not a valid C++ class name or is reserved for test applications");
     }
+    unique(source, name, kind);
+  }
+
+  private void unique(String source, String name, String kind) {
     String other = shared.put(name, kind);
     if (other != null && !(other.equals(kind) && kind.equals("interface"))) {
       diagnostics.error(source, 0, kind + " " + name, "is also the name of an " + other);

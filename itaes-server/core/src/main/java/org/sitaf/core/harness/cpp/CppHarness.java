@@ -79,7 +79,7 @@ public final class CppHarness implements HarnessWriter {
           InterfaceView.of(stub.name(), stub.source(), methods, true));
     }
     for (DataType type : plan.types()) {
-      put(files, HarnessPlan.simpleName(type), "Type", TypeView.of(type));
+      put(files, CppNames.DECLARED.type(type), "Type", TypeView.of(type));
     }
     for (String error : plan.errors()) {
       put(files, error, "Type", TypeView.ofError(error));

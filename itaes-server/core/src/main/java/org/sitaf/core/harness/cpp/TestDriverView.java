@@ -10,6 +10,7 @@ import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.MemberPath.Step;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
 import org.sitaf.core.harness.cpp.syntax.CppText;
 import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
@@ -201,7 +202,7 @@ record TestDriverView(
                   .findFirst()
                   .orElseThrow()
                   .type();
-          path += "." + member.name();
+          path += "." + CppNames.DECLARED.member(member.name());
         }
       }
     }
@@ -213,7 +214,7 @@ record TestDriverView(
     StringBuilder path = new StringBuilder(root);
     for (Step step : steps) {
       if (step instanceof Step.Member member) {
-        path.append('.').append(member.name());
+        path.append('.').append(CppNames.DECLARED.member(member.name()));
       } else if (step instanceof Step.Element element) {
         path.append(checked ? ".at(" : "[").append(element.index()).append(checked ? ")" : "]");
       }

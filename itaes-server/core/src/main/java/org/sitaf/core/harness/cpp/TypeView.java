@@ -2,9 +2,9 @@ package org.sitaf.core.harness.cpp;
 
 import java.util.List;
 import org.sitaf.core.description.DataType;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
 import org.sitaf.core.harness.cpp.syntax.CppText;
 import org.sitaf.core.harness.cpp.syntax.CppType;
-import org.sitaf.core.harness.plan.HarnessPlan;
 
 /** The view of a struct, an enumeration or an error. */
 record TypeView(
@@ -15,11 +15,11 @@ record TypeView(
     boolean error,
     List<Part> parts) {
 
-  /** A member of a struct, or a literal of an enumeration. */
-  record Part(String type, String name, boolean last) {}
+  /** A member of a struct, or a literal of an enumeration, with its name in documents. */
+  record Part(String type, String documentName, String name, boolean last) {}
 
   static TypeView of(DataType type) {
-    String name = HarnessPlan.simpleName(type);
+    String name = CppNames.DECLARED.type(type);
     if (type instanceof DataType.Struct struct) {
       List<DataType.Member> members = struct.members();
       return new TypeView(
@@ -32,7 +32,10 @@ record TypeView(
               .map(
                   m ->
                       new Part(
-                          CppType.within(m.type()), m.name(), m == members.get(members.size() - 1)))
+                          CppType.within(m.type()),
+                          m.name(),
+                          CppNames.DECLARED.member(m.name()),
+                          m == members.get(members.size() - 1)))
               .toList());
     }
     List<String> literals = ((DataType.Enumeration) type).literals();
@@ -46,7 +49,13 @@ record TypeView(
         true,
         false,
         literals.stream()
-            .map(l -> new Part("", l, l.equals(literals.get(literals.size() - 1))))
+            .map(
+                l ->
+                    new Part(
+                        "",
+                        l,
+                        CppNames.DECLARED.literal(l),
+                        l.equals(literals.get(literals.size() - 1))))
             .toList());
   }
 

@@ -36,7 +36,7 @@ final class InterfacesView {
   /** Imports types from their module, because the package itself is not initialized yet. */
   private static void importDeclared(DataType type, Imports imports) {
     if (type instanceof DataType.Struct || type instanceof DataType.Enumeration) {
-      imports.add("sitaf_interfaces.data_types", HarnessPlan.simpleName(type));
+      imports.add("sitaf_interfaces.data_types", PythonNames.DECLARED.type(type));
     } else {
       type.parts().forEach(part -> importDeclared(part, imports));
     }
@@ -71,21 +71,32 @@ final class InterfacesView {
     }
 
     private static Declared declared(DataType type) {
-      String name = HarnessPlan.simpleName(type);
+      String name = PythonNames.DECLARED.type(type);
       List<String> lines = new ArrayList<>();
       if (type instanceof DataType.Struct struct) {
         for (DataType.Member member : struct.members()) {
+          String attribute = PythonNames.DECLARED.member(member.name());
+          List<String> arguments = new ArrayList<>(List.of(PythonType.kind(member.type())));
+          if (!attribute.equals(member.name())) {
+            arguments.add(PythonText.string(member.name()));
+          }
           lines.add(
               PythonText.list(
-                  member.name() + ": " + PythonType.hint(member.type()) + " = member(",
-                  List.of(PythonType.kind(member.type())),
+                  attribute + ": " + PythonType.hint(member.type()) + " = member(",
+                  arguments,
                   ")"));
         }
         return new Declared(true, name, PythonText.plain(type.typeName()), lines);
       }
       List<String> literals = ((DataType.Enumeration) type).literals();
       for (int i = 0; i < literals.size(); i++) {
-        lines.add(literals.get(i) + " = " + i);
+        String literal = literals.get(i);
+        String attribute = PythonNames.DECLARED.literal(literal);
+        if (!attribute.equals(literal)) {
+          // The literal has its own name; the attribute is an alias that sources can use.
+          lines.add("locals()[" + PythonText.string(literal) + "] = " + i);
+        }
+        lines.add(attribute + " = " + i);
       }
       return new Declared(false, name, PythonText.plain(type.typeName()), lines);
     }

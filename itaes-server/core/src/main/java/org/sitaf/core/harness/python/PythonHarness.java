@@ -58,7 +58,7 @@ public final class PythonHarness implements HarnessWriter {
       files.put(
           INTERFACES + "data_types.py", print("data_types", InterfacesView.DataTypes.of(neutral)));
       for (DataType type : neutral.types()) {
-        imports.add("sitaf_interfaces.data_types", HarnessPlan.simpleName(type));
+        imports.add("sitaf_interfaces.data_types", PythonNames.DECLARED.type(type));
       }
     }
     if (!neutral.errors().isEmpty()) {

@@ -7,11 +7,12 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.sitaf.core.harness.plan.DeclaredNames;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names in Python sources. Names of methods and types are taken from the user's documents and
- * rejected if invalid in Python; local variables are renamed if necessary.
+ * Names in Python sources. Names of methods and interfaces are taken from the user's documents and
+ * rejected if invalid in Python; types, members and local variables are renamed if necessary.
  */
 final class PythonNames {
   private static final Set<String> KEYWORDS =
@@ -38,6 +39,15 @@ final class PythonNames {
 
   private static final Pattern BORDERS =
       Pattern.compile("(?<=[\\p{Ll}\\p{Nd}])(?=\\p{Lu})|(?<=\\p{Lu})(?=\\p{Lu}\\p{Ll})");
+
+  /** The names of the interfaces' types. */
+  static final DeclaredNames DECLARED =
+      new DeclaredNames(
+          "Python",
+          PythonNames::isTypeName,
+          PythonNames::isName,
+          // A class of the enum module has underscored names of its own.
+          name -> isName(name) && !name.startsWith("_"));
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 

@@ -115,7 +115,7 @@ final class PythonPlanner {
   }
 
   private boolean isDeclared(String name) {
-    return neutral.types().stream().anyMatch(t -> HarnessPlan.simpleName(t).equals(name))
+    return neutral.types().stream().anyMatch(t -> PythonNames.DECLARED.type(t).equals(name))
         || neutral.stubs().stream().anyMatch(s -> s.name().equals(name));
   }
 
@@ -123,27 +123,17 @@ final class PythonPlanner {
   private void names() {
     method(neutral.interfaceName(), neutral.method());
     neutral.before().forEach(call -> method(HarnessPlanner.PROFILE, call.method()));
+    PythonNames.DECLARED.check(neutral.types(), neutral.interfaceName(), diagnostics);
     Set<String> types = new HashSet<>();
     for (DataType type : neutral.types()) {
-      String name = HarnessPlan.simpleName(type);
-      types.add(name);
-      typeName(neutral.interfaceName(), name);
-      List<String> parts = new ArrayList<>();
-      if (type instanceof DataType.Struct struct) {
-        struct.members().forEach(m -> parts.add(m.name()));
-      } else if (type instanceof DataType.Enumeration enumeration) {
-        parts.addAll(enumeration.literals());
-      }
-      for (String part : parts) {
-        boolean reserved =
-            type instanceof DataType.Enumeration && (part.equals("mro") || part.startsWith("_"));
-        if (!PythonNames.isName(part) || reserved) {
-          diagnostics.error(
-              neutral.interfaceName(),
-              0,
-              "type " + name,
-              "'" + part + "' is not a valid Python name");
-        }
+      types.add(PythonNames.DECLARED.type(type));
+      if (type instanceof DataType.Enumeration enumeration
+          && enumeration.literals().contains("mro")) {
+        diagnostics.error(
+            neutral.interfaceName(),
+            0,
+            "type " + type.typeName(),
+            "'mro' is not a valid name of a literal in Python");
       }
     }
     for (HarnessPlan.Stub stub : neutral.stubs()) {

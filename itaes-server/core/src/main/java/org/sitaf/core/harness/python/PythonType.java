@@ -4,7 +4,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
-import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
 /** The Python types of interface types. */
@@ -30,7 +29,7 @@ final class PythonType {
     if (type instanceof DataType.FixedArray array) {
       return "list[" + hint(array.element()) + "]";
     }
-    return HarnessPlan.simpleName(type);
+    return PythonNames.DECLARED.type(type);
   }
 
   /** The zero value as an expression. */
@@ -52,9 +51,11 @@ final class PythonType {
       return "[" + zero(array.element()) + " for _ in range(" + array.length() + ")]";
     }
     if (type instanceof DataType.Enumeration enumeration) {
-      return HarnessPlan.simpleName(type) + "." + enumeration.literals().get(0);
+      return PythonNames.DECLARED.type(type)
+          + "."
+          + PythonNames.DECLARED.literal(enumeration.literals().get(0));
     }
-    return HarnessPlan.simpleName(type) + "()";
+    return PythonNames.DECLARED.type(type) + "()";
   }
 
   /** The runtime's kind of a type, which reads and compares its values. */
@@ -69,7 +70,7 @@ final class PythonType {
       return "sequence(" + kind(array.element()) + ", " + array.length() + ")";
     }
     String function = type instanceof DataType.Enumeration ? "enumeration" : "struct";
-    return function + "(" + HarnessPlan.simpleName(type) + ")";
+    return function + "(" + PythonNames.DECLARED.type(type) + ")";
   }
 
   private static String kind(ScalarType type) {
@@ -101,7 +102,7 @@ final class PythonType {
   private static Set<String> declared(DataType type) {
     Set<String> names = new TreeSet<>();
     if (type instanceof DataType.Struct || type instanceof DataType.Enumeration) {
-      names.add(HarnessPlan.simpleName(type));
+      names.add(PythonNames.DECLARED.type(type));
     } else {
       type.parts().forEach(part -> names.addAll(declared(part)));
     }
@@ -111,7 +112,7 @@ final class PythonType {
   /** A value as an expression. */
   static String expression(Value value, DataType type) {
     if (type instanceof DataType.Enumeration) {
-      return HarnessPlan.simpleName(type) + "." + value.literal();
+      return PythonNames.DECLARED.type(type) + "." + PythonNames.DECLARED.literal(value.literal());
     }
     if (value instanceof Value.Real real) {
       return PythonText.real(real.number());

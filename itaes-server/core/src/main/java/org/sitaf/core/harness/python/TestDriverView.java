@@ -261,7 +261,7 @@ record TestDriverView(
 
   private static String step(Step step) {
     return step instanceof Step.Member member
-        ? PythonText.string(member.name())
+        ? PythonText.string(PythonNames.DECLARED.member(member.name()))
         : String.valueOf(((Step.Element) step).index());
   }
 

@@ -6,11 +6,12 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.sitaf.core.harness.plan.DeclaredNames;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names in C++ sources. Names of methods and types are taken from the user's documents and rejected
- * if invalid in C++; local variables are renamed if necessary.
+ * Names in C++ sources. Names of methods and interfaces are taken from the user's documents and
+ * rejected if invalid in C++; types, members and local variables are renamed if necessary.
  */
 public final class CppNames {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
@@ -53,6 +54,10 @@ public final class CppNames {
           raise result returned run runtime save simulation simulationControl sitaf std stopwatch stubbing suite
           testCase testStub value\
           """);
+
+  /** The names of the interfaces' types. */
+  public static final DeclaredNames DECLARED =
+      new DeclaredNames("C++", CppNames::isTypeName, CppNames::isName, CppNames::isName);
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 

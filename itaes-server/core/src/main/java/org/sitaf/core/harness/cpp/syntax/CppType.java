@@ -6,7 +6,6 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
-import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
 /**
@@ -49,7 +48,7 @@ public final class CppType {
     if (type instanceof DataType.FixedArray array) {
       return "std::array<" + typeName(array.element(), scope) + ", " + array.length() + ">";
     }
-    return scope + HarnessPlan.simpleName(type);
+    return scope + CppNames.DECLARED.type(type);
   }
 
   /** A parameter of a function: simple values are passed by value, others by reference. */
@@ -90,7 +89,7 @@ public final class CppType {
       standard.add("array");
       addHeaders(array.element(), standard, own);
     } else {
-      own.add("sitaf/interfaces/" + HarnessPlan.simpleName(type) + ".hpp");
+      own.add("sitaf/interfaces/" + CppNames.DECLARED.type(type) + ".hpp");
     }
   }
 
@@ -101,7 +100,7 @@ public final class CppType {
    */
   public static String expression(Value value, DataType type) {
     if (type instanceof DataType.Enumeration) {
-      return of(type) + "::" + value.literal();
+      return of(type) + "::" + CppNames.DECLARED.literal(value.literal());
     }
     ScalarType scalar = ((DataType.Scalar) Objects.requireNonNull(type)).type();
     return switch (scalar) {

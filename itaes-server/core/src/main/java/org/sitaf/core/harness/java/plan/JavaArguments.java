@@ -59,7 +59,7 @@ final class JavaArguments {
     if (type instanceof DataType.Struct struct) {
       return struct.members().stream()
           .map(m -> made(m.type(), at(given, depth, new Step.Member(m.name())), depth + 1))
-          .collect(Collectors.joining(", ", "new " + HarnessPlan.simpleName(struct) + "(", ")"));
+          .collect(Collectors.joining(", ", "new " + JavaNames.DECLARED.type(struct) + "(", ")"));
     }
     DataType element = type.parts().get(0);
     int length =

@@ -7,15 +7,14 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.harness.plan.HarnessPlan;
 
 /**
  * A struct or an enumeration of the interfaces in Java: a record with a constructor that sets all
  * members to zero, or an enum.
  *
- * @param members members of a record, such as {@code double x}; empty for an enum
+ * @param members declarations of a record's components, such as {@code double x}; empty for an enum
  * @param zeros zero values of the members
- * @param literals literals of an enum; empty for a record
+ * @param literals declarations of an enum's constants; empty for a record
  */
 public record JavaDeclaredType(
     String name,
@@ -24,6 +23,8 @@ public record JavaDeclaredType(
     List<String> zeros,
     List<String> literals,
     SortedSet<String> imports) {
+  private static final String DOCUMENT_NAME = "org.sitaf.runtime.suite.DocumentName";
+
   public JavaDeclaredType {
     members = List.copyOf(members);
     zeros = List.copyOf(zeros);
@@ -37,29 +38,22 @@ public record JavaDeclaredType(
 
   /** Plans the types, and reports everything that Java cannot express. */
   static List<JavaDeclaredType> of(List<DataType> types, Diagnostics diagnostics) {
+    JavaNames.DECLARED.check(types, "interfaces", diagnostics);
     List<JavaDeclaredType> declared = new ArrayList<>();
     for (DataType type : types) {
-      String name = HarnessPlan.simpleName(type);
-      if (!JavaNames.isTypeName(name) || JavaNames.isUsedType(name)) {
-        problem(
-            diagnostics,
-            type,
-            JavaNames.isUsedType(name)
-                ? "has a name that is reserved for test applications"
-                : "is not a valid Java type name");
-      } else if (type instanceof DataType.Struct struct) {
+      String name = JavaNames.DECLARED.type(type);
+      if (type instanceof DataType.Struct struct) {
         declared.add(struct(name, struct, diagnostics));
       } else if (type instanceof DataType.Enumeration enumeration) {
-        enumeration.literals().stream()
-            .filter(l -> !JavaNames.isName(l))
-            .forEach(l -> problem(diagnostics, type, l + " is not a valid Java name"));
         declared.add(
             new JavaDeclaredType(
                 name,
                 type.typeName(),
                 List.of(),
                 List.of(),
-                enumeration.literals(),
+                enumeration.literals().stream()
+                    .map(l -> declaration("", JavaNames.DECLARED.literal(l), l))
+                    .toList(),
                 new TreeSet<>()));
       }
     }
@@ -73,15 +67,14 @@ public record JavaDeclaredType(
     SortedSet<String> imports = new TreeSet<>();
     for (DataType.Member member : struct.members()) {
       Optional<JavaType> type = JavaType.of(member.type());
-      if (!JavaNames.isName(member.name()) || JavaNames.isObjectMethod(member.name())) {
-        problem(diagnostics, struct, member.name() + " is not a valid name of a record component");
-      } else if (type.isEmpty()) {
+      if (type.isEmpty()) {
         problem(
             diagnostics,
             struct,
             member.name() + " is " + member.type().typeName() + "; " + JavaType.SUPPORTED);
       } else {
-        members.add(type.get().name() + " " + member.name());
+        String component = JavaNames.DECLARED.member(member.name());
+        members.add(declaration(type.get().name() + " ", component, member.name()));
         zeros.add(type.get().zero());
         type.get().imports().stream()
             .filter(i -> !i.startsWith(JavaType.INTERFACES + "."))
@@ -89,6 +82,15 @@ public record JavaDeclaredType(
       }
     }
     return new JavaDeclaredType(name, struct.typeName(), members, zeros, List.of(), imports);
+  }
+
+  /** A declaration with its name in documents, if that is another one. */
+  private static String declaration(String type, String name, String documentName) {
+    String annotation =
+        name.equals(documentName)
+            ? ""
+            : "@" + DOCUMENT_NAME + "(" + JavaText.string(documentName) + ") ";
+    return annotation + type + name;
   }
 
   private static void problem(Diagnostics diagnostics, DataType type, String problem) {

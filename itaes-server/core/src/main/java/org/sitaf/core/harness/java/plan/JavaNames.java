@@ -5,11 +5,12 @@ import java.util.HashSet;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.sitaf.core.harness.plan.DeclaredNames;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names in Java sources. Names of methods and types are taken from the user's documents and
- * rejected if invalid in Java; local variables are renamed if necessary.
+ * Names in Java sources. Names of methods and interfaces are taken from the user's documents and
+ * rejected if invalid in Java; types, members and local variables are renamed if necessary.
  */
 final class JavaNames {
   private static final Set<String> KEYWORDS =
@@ -48,6 +49,14 @@ final class JavaNames {
           answer args component java javax org parameters pending result returned run simulation simulationControl sitaf
           stopwatch stubbing testCase testStub\
           """);
+
+  /** The names of the interfaces' types. */
+  static final DeclaredNames DECLARED =
+      new DeclaredNames(
+          "Java",
+          name -> isTypeName(name) && !isUsedType(name),
+          name -> isName(name) && !isObjectMethod(name),
+          JavaNames::isName);
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 

@@ -152,7 +152,7 @@ public final class JavaPlanner {
 
   /** Whether a type of the interfaces has this name. */
   private boolean isDeclared(String name) {
-    return plan.types().stream().anyMatch(t -> HarnessPlan.simpleName(t).equals(name))
+    return plan.types().stream().anyMatch(t -> JavaNames.DECLARED.type(t).equals(name))
         || plan.stubs().stream().anyMatch(s -> s.name().equals(name))
         || plan.errors().contains(name);
   }
@@ -219,7 +219,7 @@ public final class JavaPlanner {
 
   private void errors() {
     Set<String> taken = new HashSet<>();
-    plan.types().forEach(t -> taken.add(HarnessPlan.simpleName(t)));
+    plan.types().forEach(t -> taken.add(JavaNames.DECLARED.type(t)));
     for (HarnessPlan.Stub stub : plan.stubs()) {
       if (!taken.add(stub.name())) {
         diagnostics.error(

@@ -7,7 +7,6 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
-import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
 /**
@@ -51,10 +50,10 @@ public record JavaType(
           .map(e -> array(e, fixed, fixed.length()));
     }
     if (type instanceof DataType.Struct || type instanceof DataType.Enumeration) {
-      String name = HarnessPlan.simpleName(type);
+      String name = JavaNames.DECLARED.type(type);
       String zero =
           type instanceof DataType.Enumeration enumeration
-              ? name + "." + enumeration.literals().get(0)
+              ? name + "." + JavaNames.DECLARED.literal(enumeration.literals().get(0))
               : "new " + name + "()";
       return Optional.of(
           new JavaType(name, name, "value", zero, type, Set.of(INTERFACES + "." + name)));
@@ -72,7 +71,7 @@ public record JavaType(
   /** A value as a Java expression. */
   String expression(Value value) {
     if (type instanceof DataType.Enumeration) {
-      return name + "." + value.literal();
+      return name + "." + JavaNames.DECLARED.literal(value.literal());
     }
     if (!(type instanceof DataType.Scalar scalar)) {
       throw new IllegalArgumentException("a sequence has no literal: " + value.literal());
