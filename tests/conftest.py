@@ -39,11 +39,11 @@ class Sitaf:
 
     root: Path
 
-    def __call__(self, *arguments, env=None, stdin=None):
+    def __call__(self, *arguments, env=None, stdin=None, cwd=None):
         """Run a command; return exit code and output."""
         return subprocess.run(
             [str(self.root / "sitaf"), *map(str, arguments)],
-            cwd=self.root,
+            cwd=cwd or self.root,
             capture_output=True,
             text=True,
             timeout=LIMIT_S,

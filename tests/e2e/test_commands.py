@@ -76,6 +76,13 @@ def test_describe_prints_the_interface(sitaf):
     assert "GetInfraredData" in described.stdout
 
 
+def test_every_command_knows_the_version(sitaf):
+    released = re.search(r"^  <version>(.*?)</version>", (Path(__file__).parents[2] / "pom.xml").read_text(), re.M)
+    for command in ((), ("run",), ("describe",)):
+        asked = sitaf(*command, "--version")
+        assert (asked.returncode, asked.stdout) == (0, f"sitaf {released[1]}\n"), asked.stderr
+
+
 def test_doctor_finds_all_required_software(sitaf):
     doctor = sitaf("doctor")
     assert doctor.returncode == 0, doctor.stdout

@@ -61,7 +61,12 @@ public final class Sitaf {
   }
 
   public static CommandLine commandLine() {
-    return new CommandLine(new Sitaf())
+    CommandLine sitaf = new CommandLine(new Sitaf());
+    sitaf
+        .getSubcommands()
+        .values()
+        .forEach(command -> command.getCommandSpec().versionProvider(new Version()));
+    return sitaf
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setExecutionExceptionHandler(
             (failure, command, parsed) -> {

@@ -23,6 +23,11 @@ final class IdlScopes {
   private final Map<String, List<String>> resolvedBases = new HashMap<>();
   private final Set<String> interfaces = new LinkedHashSet<>();
 
+  /** Typedefs of a name without dimensions, which may be that of an interface. */
+  private final Map<String, Alias> aliases = new HashMap<>();
+
+  private record Alias(ScopedNameContext of, String scope) {}
+
   /** Maximum number of direct and indirect base interfaces. */
   static final int MAX_LINEAGE = 100;
 
@@ -30,6 +35,11 @@ final class IdlScopes {
   void declareInterface(String qualified, List<ScopedNameContext> inherited) {
     interfaces.add(qualified);
     bases.put(qualified, inherited);
+  }
+
+  /** Declares another name of what may be an interface. */
+  void declareAlias(String qualified, ScopedNameContext of, String scope) {
+    aliases.putIfAbsent(qualified, new Alias(of, scope));
   }
 
   /** Whether an interface is declared. */
@@ -78,7 +88,21 @@ final class IdlScopes {
 
   /** Resolves the name of a base interface. */
   Optional<String> base(ScopedNameContext name, String inheriting) {
-    return find(text(name), enclosing(inheriting), interfaces::contains);
+    return find(text(name), enclosing(inheriting), q -> interfaceOf(q).isPresent())
+        .flatMap(this::interfaceOf);
+  }
+
+  /** The interface of a qualified name, which may be that of a typedef. */
+  private Optional<String> interfaceOf(String qualified) {
+    Optional<String> name = Optional.of(qualified);
+    for (int i = 0; i < MAX_LINEAGE && name.isPresent() && !isInterface(name.get()); i++) {
+      Alias alias = aliases.get(name.get());
+      name =
+          alias == null
+              ? Optional.empty()
+              : find(alias.of(), alias.scope(), q -> isInterface(q) || aliases.containsKey(q));
+    }
+    return name.filter(this::isInterface);
   }
 
   /**
@@ -118,6 +142,8 @@ final class IdlScopes {
   private List<String> directBases(String qualified) {
     List<String> known = resolvedBases.get(qualified);
     if (known == null) {
+      // The bases may be looked up in the interface itself, by a typedef of its body.
+      resolvedBases.put(qualified, List.of());
       known =
           bases.getOrDefault(qualified, List.of()).stream()
               .flatMap(name -> base(name, qualified).stream())

@@ -56,6 +56,14 @@ final class IdlTypes {
           Map.entry("int64", ScalarType.INT64),
           Map.entry("uint64", ScalarType.UINT64));
 
+  /** Base types without a counterpart, with the reason. */
+  private static final Map<String, String> UNSUPPORTED =
+      Map.of(
+          "any", "a value of any type",
+          "Object", "a reference to an object",
+          "ValueBase", "a value type",
+          "long double", "wider than 64 bits");
+
   private final IdlScopes scopes;
   private final IdlConstants constants;
   private final Findings findings;
@@ -190,6 +198,10 @@ final class IdlTypes {
     for (DeclaratorContext declarator : typedef.declarator()) {
       String qualified = IdlScopes.inside(scope, IdlScopes.text(declarator.name()));
       Place named = at(place, declarator, "typedef " + qualified);
+      TypeSpecContext aliased = typedef.declaredType().typeSpec();
+      if (aliased != null && aliased.scopedName() != null && declarator.dimension().isEmpty()) {
+        scopes.declareAlias(qualified, aliased.scopedName(), scope);
+      }
       unique(
           declared.declare(
               qualified,
@@ -272,7 +284,7 @@ final class IdlTypes {
   private DataType base(BaseTypeContext base, Place place) {
     ScalarType scalar = SCALARS.get(base.getText());
     if (scalar == null) {
-      findings.unknownType(place, words(base), "");
+      findings.unknownType(place, words(base), UNSUPPORTED.getOrDefault(words(base), ""));
       return new DataType.Unknown(words(base));
     }
     return new DataType.Scalar(scalar);

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
@@ -79,6 +80,47 @@ class IdlImporterTest {
                 interface A : L, R { void a(); };
                 """))
         .containsExactly("void t()", "void l()", "void r()", "void a()");
+  }
+
+  @Test
+  void inheritsFromATypedefOfAnInterface() {
+    ImportResult result =
+        read(
+            """
+            module SDOPackage { interface SDO { void s(); }; };
+            module RTC {
+              typedef SDOPackage::SDO DistributedObject;
+              typedef DistributedObject Base;
+              interface A : Base { void a(); };
+            };
+            """);
+
+    assertThat(InterfaceText.lines(result)).noneMatch(line -> line.contains("error"));
+    assertThat(InterfaceText.prototypes(result.provided().get(1)))
+        .containsExactly("void s()", "void a()");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "typedef Y X; typedef X Y; interface A : X { void a(); };",
+        "interface A : A::X { typedef A::X X; void a(); };",
+        "typedef sequence<long> X; interface A : X { void a(); };",
+      })
+  void refusesATypedefThatIsNoInterface(String idl) {
+    assertThat(InterfaceText.lines(read(idl))).anyMatch(line -> line.contains("inherits from"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "any,a value of any type",
+    "Object,a reference to an object",
+    "ValueBase,a value type",
+    "long double,wider than 64 bits",
+  })
+  void saysWhyATypeIsNotSupported(String type, String reason) {
+    assertThat(InterfaceText.lines(read("interface A { void f(in " + type + " x); };")))
+        .anyMatch(line -> line.endsWith("type '" + type + "' is not supported: " + reason));
   }
 
   @ParameterizedTest
