@@ -98,6 +98,13 @@ class NewActivityTest {
     assertThat(propose(Language.JAVA, idl).contains("del.xml")).isTrue();
   }
 
+  @Test
+  void aMethodMayHaveTheNameOfItsInterface() {
+    String idl = "interface move { boolean move(in double speed); };";
+
+    assertThat(propose(Language.CPP, idl).contains("move.xml")).isTrue();
+  }
+
   @ParameterizedTest
   @EnumSource(Language.class)
   void renamesTypesAndMembersThatTheLanguageDoesNotAllow(Language language) {

@@ -30,9 +30,15 @@ final class CppChecks {
 
   void check(HarnessPlan.Adapter plan) {
     className(plan.className());
+    String simple = plan.className().substring(plan.className().lastIndexOf(':') + 1);
     for (InterfaceDescription provided : plan.provided()) {
-      type(provided.source(), provided.name(), "interface");
-      methods(provided.source(), provided.name(), provided.methods());
+      if (plan.answers()) {
+        // The skeleton of a component does not include the interface's class.
+        methods(provided.source(), simple, provided.methods());
+      } else {
+        type(provided.source(), provided.name(), "interface");
+        methods(provided.source(), provided.name(), provided.methods());
+      }
     }
   }
 
