@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.hardware.HardwareReader;
 import org.sitaf.core.activity.lock.ActivityLock;
@@ -38,6 +40,10 @@ final class ActivityReader {
 
   /** Maximum number of models, of provided and of required interface files. */
   private static final int MAX_DOCUMENTS = 500;
+
+  /** A service or action of ROS 2; its package is the first group. */
+  private static final Pattern ROS_FILE =
+      Pattern.compile("(?:.*/)?(\\w+)/(?:msg|srv|action)/\\w+\\.(?:msg|srv|action)");
 
   private final FileTree files;
 
@@ -160,10 +166,8 @@ final class ActivityReader {
     List<String> installed = present.stream().filter(path -> !files.contains(path)).toList();
     List<String> own = present.stream().filter(files::contains).toList();
     Map<String, byte[]> sources = interfaceFiles(files, own);
-    if (!installed.isEmpty()) {
-      packages
-          .paths()
-          .forEach(path -> sources.putIfAbsent(path, packages.content(path).orElseThrow()));
+    if (!installed.isEmpty() || own.stream().anyMatch(path -> ROS_FILE.matcher(path).matches())) {
+      addInstalled(sources);
     }
     ImportResult result =
         InterfaceFiles.read(
@@ -186,6 +190,20 @@ final class ActivityReader {
       }
     }
     return interfaces;
+  }
+
+  /** Adds the installed interface packages of ROS 2 that the activity does not have itself. */
+  private void addInstalled(Map<String, byte[]> sources) {
+    Set<String> own = new HashSet<>();
+    for (String path : sources.keySet()) {
+      Matcher parts = ROS_FILE.matcher(path);
+      if (parts.matches()) {
+        own.add(parts.group(1));
+      }
+    }
+    packages.paths().stream()
+        .filter(path -> !own.contains(path.substring(0, Math.max(0, path.indexOf('/')))))
+        .forEach(path -> sources.putIfAbsent(path, packages.content(path).orElseThrow()));
   }
 
   /** All files that may contain interfaces, and the named files. */

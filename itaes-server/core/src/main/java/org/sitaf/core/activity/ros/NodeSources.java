@@ -43,6 +43,8 @@ public final class NodeSources {
           "^[ \\t]*(?:from|import)[ \\t]+([a-z][a-z0-9_]{0,100})\\.(?:msg|srv|action)\\b",
           Pattern.MULTILINE);
 
+  private static final Pattern CONTINUED = Pattern.compile("\\\\\\r?\\n");
+
   private static final Pattern CPP_SOURCE =
       Pattern.compile(".*\\.(cpp|cc|cxx|c\\+\\+|C|hpp|hxx|hh|h)");
 
@@ -117,7 +119,7 @@ public final class NodeSources {
       if (isCpp) {
         scanCpp(text, remap);
       } else {
-        scan(text, remap);
+        scan(joined(text), remap);
       }
     }
   }
@@ -181,6 +183,11 @@ public final class NodeSources {
         endpoints.add(new Endpoint(kind(created.group(1)), full(created.group(3), remap), name));
       }
     }
+  }
+
+  /** A text in Python whose lines that are continued with a backslash are one. */
+  public static String joined(String python) {
+    return CONTINUED.matcher(python).replaceAll(" ");
   }
 
   /** Whether a file is a source of a node. */

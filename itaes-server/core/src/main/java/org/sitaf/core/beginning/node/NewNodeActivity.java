@@ -257,7 +257,9 @@ public record NewNodeActivity(
       NodeSources sources, Kind kind, FileTree files, List<String> notes) {
     List<String> entries = new ArrayList<>();
     for (Endpoint endpoint : sources.endpoints()) {
-      if (endpoint.kind() != kind) {
+      if (endpoint.kind() != kind
+          // What the node itself answers is not stubbed.
+          || (kind == Kind.CLIENT && serves(sources, endpoint))) {
         continue;
       }
       List<String> candidates =
@@ -279,6 +281,10 @@ public record NewNodeActivity(
       }
     }
     return entries;
+  }
+
+  private static boolean serves(NodeSources sources, Endpoint called) {
+    return sources.endpoints().contains(new Endpoint(Kind.SERVER, called.name(), called.type()));
   }
 
   private static String shown(List<String> entries) {

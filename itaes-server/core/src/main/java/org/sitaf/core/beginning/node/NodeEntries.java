@@ -3,6 +3,7 @@ package org.sitaf.core.beginning.node;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -13,6 +14,11 @@ final class NodeEntries {
   /** The end of {@code 'program = package.module:main'}, which may be split over lines. */
   private static final Pattern CONSOLE_SCRIPT =
       Pattern.compile("\\b([\\w.]{1,200})\\s{0,20}:\\s{0,20}(\\w{1,100})\\s{0,20}['\"]");
+
+  /** Between strings that Python joins: {@code 'name = ' 'package.module:main'}. */
+  private static final Pattern JOINED = Pattern.compile("'\\s{1,200}'|\"\\s{1,200}\"");
+
+  private static final Pattern FUNCTION = Pattern.compile("([\\w.]{1,200}):(\\w{1,100})");
 
   private static final Pattern PYTHON_MAIN =
       Pattern.compile("^if\\s+__name__\\s*==\\s*['\"]__main__['\"]", Pattern.MULTILINE);
@@ -46,6 +52,7 @@ final class NodeEntries {
       return all.stream()
           .filter(entry -> entry.name().equals(wanted))
           .findFirst()
+          .or(() -> function(wanted))
           .orElseThrow(
               () ->
                   InvalidInputException.of(
@@ -67,6 +74,20 @@ final class NodeEntries {
     return first.get(0);
   }
 
+  /** A function {@code module:function} that setup.py does not install. */
+  private Optional<NodeEntry> function(String wanted) {
+    Matcher parts = FUNCTION.matcher(wanted);
+    if (given.isCpp() || !parts.matches()) {
+      return Optional.empty();
+    }
+    String file = parts.group(1).replace('.', '/') + ".py";
+    Pattern declared =
+        Pattern.compile("^def\\s+" + Pattern.quote(parts.group(2)) + "\\s*\\(", Pattern.MULTILINE);
+    return given.files().contains(file) && declared.matcher(given.text(file)).find()
+        ? Optional.of(new NodeEntry(true, wanted, file))
+        : Optional.empty();
+  }
+
   private static String shown(List<NodeEntry> entries) {
     return entries.isEmpty()
         ? "no nodes"
@@ -84,7 +105,7 @@ final class NodeEntries {
         .text("setup.py")
         .ifPresent(
             setup -> {
-              Matcher script = CONSOLE_SCRIPT.matcher(setup);
+              Matcher script = CONSOLE_SCRIPT.matcher(JOINED.matcher(setup).replaceAll(""));
               while (script.find()) {
                 String file = script.group(1).replace('.', '/') + ".py";
                 if (given.files().contains(file)) {

@@ -75,7 +75,9 @@ public record NodePackage(String name, boolean isCpp, FileTree files) {
     return files.paths().stream().filter(path -> NodeSources.isSource(path, isCpp)).toList();
   }
 
+  /** The content of a source; lines that are continued with a backslash are one. */
   String text(String path) {
-    return files.text(path).orElseThrow();
+    String text = files.text(path).orElseThrow();
+    return isCpp ? text : NodeSources.joined(text);
   }
 }

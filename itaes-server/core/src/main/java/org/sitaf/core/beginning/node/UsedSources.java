@@ -14,7 +14,7 @@ import org.sitaf.core.combine.Interruption;
 final class UsedSources {
   private static final Pattern IMPORT =
       Pattern.compile(
-          "^[ \\t]*(?:from[ \\t]+(\\.{0,3}[\\w.]{0,200})[ \\t]+import[ \\t]+\\(?([\\w, \\t]{1,500})|import[ \\t]+([\\w.]{1,200}))",
+          "^[ \\t]*(?:from[ \\t]+(\\.{0,3}[\\w.]{0,200})[ \\t]+import[ \\t]*(\\([\\w,\\s]{1,500}|[\\w, \\t]{1,500})|import[ \\t]+([\\w.]{1,200}))",
           Pattern.MULTILINE);
   private static final Pattern INCLUDE =
       Pattern.compile(
@@ -60,7 +60,7 @@ final class UsedSources {
       }
       String base = join(folder, module.replace('.', '/'));
       add(base, found);
-      for (String name : line.group(2).split("[,\\s]+", 100)) {
+      for (String name : line.group(2).split("[(,\\s]+", 100)) {
         add(join(base, name), found);
       }
     }

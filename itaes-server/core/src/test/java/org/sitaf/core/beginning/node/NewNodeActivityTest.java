@@ -134,6 +134,49 @@ class NewNodeActivityTest {
   }
 
   @Test
+  void readsImportsAndProgramsThatAreSplitOverLines() {
+    FileTree files =
+        python(
+            Map.of(
+                "setup.py",
+                "'console_scripts': [\n 'follow = '\n 'follower.'\n 'program:main']",
+                "follower/program.py",
+                "import rclpy\nfrom follower.node \\\n  import Follower\nfrom . import (\n  planner,\n)\n"
+                    + "def main(): pass\ndef other(): pass\n"));
+
+    String profile = propose(files, null).files().text("activity.yaml").orElseThrow();
+    assertThat(profile).contains("  main: follower.program:main\n", "/goal: input.goal", "horizon");
+    assertThat(propose(files, "follower.program:other").files().text("activity.yaml").orElseThrow())
+        .contains("  main: follower.program:other\n");
+  }
+
+  @Test
+  void doesNotStubAServiceThatTheNodeItselfAnswers() {
+    String node = NODE + "        self.create_client(SetBool, 'enable')\n";
+
+    assertThat(
+            propose(python(Map.of("follower/node.py", node)), "follower.node:Follower")
+                .files()
+                .text("activity.yaml")
+                .orElseThrow())
+        .contains("name: /enable}", "required: []\n");
+  }
+
+  @Test
+  void anActionOfTheActivityUsesInstalledMessages() {
+    FileTree siblings =
+        tree(Map.of("robot_msgs/action/Go.action", "std_msgs/Float64 goal\n---\nbool done\n---\n"));
+    String node =
+        NODE.replace("from demo.action import Turn", "from robot_msgs.action import Go as Turn");
+    NodePackage given = NodePackage.of(python(Map.of("follower/node.py", node)), "follower", null);
+
+    Proposal proposal = new NewNodeActivity("a", given, null, siblings, INSTALLED).propose();
+
+    assertThat(proposal.files().text("robot_msgs_Go.xml").orElseThrow())
+        .contains("<name>goal.data</name>");
+  }
+
+  @Test
   void readsPackagesInCpp() {
     String header =
         """
