@@ -230,6 +230,9 @@ const char * sitaf_ros_report()
       add("uncalled_callbacks", name);
     }
   }
+  for (const auto & one : Graph::get().different_types) {
+    add("different_types", one);
+  }
   for (const auto & one : Graph::get().incompatibilities) {
     add("incompatible_qos", one);
   }

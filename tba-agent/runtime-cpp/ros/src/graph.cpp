@@ -101,12 +101,14 @@ std::size_t Graph::subscribers_for(const Publication & publication) const
     subscriptions.begin(), subscriptions.end(), [&](const auto & s) {return matches(publication, *s);});
 }
 
-void Graph::note(const Publication & publication, const Subscribed & subscribed, const std::string & what)
+void Graph::note(
+  const Publication & publication, const Subscribed & subscribed, const std::string & what,
+  std::vector<std::string> & notes)
 {
   const std::string text = publication.topic + ": " + shown(publication.node) + " -> " + shown(subscribed.node) +
     ": " + what;
-  if (std::find(incompatibilities.begin(), incompatibilities.end(), text) == incompatibilities.end()) {
-    incompatibilities.push_back(text);
+  if (std::find(notes.begin(), notes.end(), text) == notes.end()) {
+    notes.push_back(text);
   }
 }
 
@@ -116,11 +118,11 @@ bool Graph::match(Publication & publication, Subscribed & subscribed)
     return false;
   }
   if (publication.type != subscribed.type) {
-    note(publication, subscribed, "types " + publication.type + " and " + subscribed.type);
+    note(publication, subscribed, publication.type + " and " + subscribed.type, different_types);
     return false;
   }
   if (const char * policy = incompatible(publication.quality, subscribed.quality)) {
-    note(publication, subscribed, policy);
+    note(publication, subscribed, policy, incompatibilities);
     publication.owner->incompatible_with(policy);
     subscribed.owner->incompatible_with(policy);
     return false;

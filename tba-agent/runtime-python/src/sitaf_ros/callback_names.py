@@ -3,7 +3,18 @@
 from __future__ import annotations
 
 import functools
+from pathlib import Path
 from typing import Any
+
+_API = str(Path(__file__).parent / "api")
+
+
+def is_of_user(callback: Any) -> bool:
+    """Tell whether a callback is of the node's sources, not of the API that comes along."""
+    while isinstance(callback, functools.partial):
+        callback = callback.func
+    code = getattr(callback, "__code__", None)
+    return code is None or not code.co_filename.startswith(_API)
 
 
 def callback_name(callback: Any) -> str:

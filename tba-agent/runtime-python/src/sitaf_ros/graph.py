@@ -134,6 +134,7 @@ class Graph:
         self.servers: dict[str, list[Server]] = {}
         self.clients: dict[str, list[Calling]] = {}
         self.incompatible: list[str] = []
+        self.different_types: list[str] = []
         self.past_publications: list[Publication] = []
         self.past_subscriptions: list[Subscribed] = []
         self.watchers: list[Callable[[], None]] = []
@@ -178,11 +179,12 @@ class Graph:
 
     def _match(self, publication: Publication, subscribed: Subscribed) -> bool:
         if publication.type_name != subscribed.type_name:
-            self._note(publication, subscribed, f"types {publication.type_name} and {subscribed.type_name}")
+            types = f"{publication.type_name} and {subscribed.type_name}"
+            self._note(publication, subscribed, types, self.different_types)
             return False
         policy = incompatible(publication.quality, subscribed.quality)
         if policy is not None:
-            self._note(publication, subscribed, policy)
+            self._note(publication, subscribed, policy, self.incompatible)
             publication.owner.incompatible_with(policy)
             subscribed.owner.incompatible_with(policy)
             return False
@@ -190,10 +192,11 @@ class Graph:
         subscribed.owner.matched(1)
         return True
 
-    def _note(self, publication: Publication, subscribed: Subscribed, what: str) -> None:
+    @staticmethod
+    def _note(publication: Publication, subscribed: Subscribed, what: str, notes: list[str]) -> None:
         text = f"{publication.topic}: {publication.node or 'the test'} -> {subscribed.node or 'the test'}: {what}"
-        if text not in self.incompatible:
-            self.incompatible.append(text)
+        if text not in notes:
+            notes.append(text)
 
     def matches(self, publication: Publication, subscribed: Subscribed) -> bool:
         """Tell whether messages go from one to the other."""

@@ -131,14 +131,26 @@ class TestSide(ABC):
         return conversion.to_fields(message, raw)
 
     def publish(self, topic: str, type_name: str, fields: Mapping[str, Any] | Message, stamp: bool = True) -> None:
-        """Publish at the current time; a `header.stamp` that is not named is the time of publication."""
+        """Publish at the current time; a stamp of a header that is not named is the time of publication."""
         message = self.new_message(type_name, fields)
         if stamp and isinstance(fields, Mapping):
-            header = message._fields_and_field_types.get("header")
-            named = fields.get("header")
-            if header == "std_msgs/Header" and not (isinstance(named, Mapping) and "stamp" in named):
-                message.header.stamp.sec, message.header.stamp.nanosec = divmod(self.ros_time_ns(), 10**9)
+            self._stamp(message, fields)
         self.send(full(topic), type_name, message)
+
+    def _stamp(self, message: Any, fields: Any) -> None:
+        """Set the stamps of the headers in a message that `fields` does not name."""
+        named = fields if isinstance(fields, Mapping) else {}
+        for name, type_name in message._fields_and_field_types.items():
+            part, given = getattr(message, name), named.get(name)
+            if type_name == "std_msgs/Header":
+                if not (isinstance(given, Mapping) and "stamp" in given):
+                    part.stamp.sec, part.stamp.nanosec = divmod(self.ros_time_ns(), 10**9)
+            elif hasattr(part, "_fields_and_field_types"):
+                self._stamp(part, given)
+            elif isinstance(part, list | tuple) and isinstance(given, list | tuple):
+                for element, values in zip(part, given, strict=False):
+                    if hasattr(element, "_fields_and_field_types"):
+                        self._stamp(element, values)
 
     # Services and actions.
 

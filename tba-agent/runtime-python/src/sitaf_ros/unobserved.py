@@ -23,6 +23,8 @@ class RosReport:
     """Topics that nodes subscribed to and that had no message."""
     uncalled_callbacks: tuple[str, ...] = ()
     incompatible_qos: tuple[str, ...] = ()
+    different_types: tuple[str, ...] = ()
+    """Topics whose publisher and subscription have different types."""
     warnings: tuple[str, ...] = ()
 
 
@@ -75,6 +77,7 @@ class Unobserved:
             unfed_topics=tuple(sorted(asked - received)),
             uncalled_callbacks=tuple(sorted(name for name, times in self._callbacks.items() if not times)),
             incompatible_qos=tuple(sorted(graph.incompatible)),
+            different_types=tuple(sorted(graph.different_types)),
             warnings=tuple(sorted(self._warnings)),
         )
 

@@ -451,7 +451,7 @@ class ExactTime : public Policy<Ms...>
 {
 public:
   using Set = typename Policy<Ms...>::Set;
-  explicit ExactTime(std::uint32_t queue)
+  ExactTime(std::uint32_t queue)  // Not explicit: a synchronizer is made from the size of its queue.
   : queue_(queue) {}
 
   template<std::size_t I, class P>
@@ -482,7 +482,7 @@ class ApproximateTime : public Policy<Ms...>
 {
 public:
   using Set = typename Policy<Ms...>::Set;
-  explicit ApproximateTime(std::uint32_t queue)
+  ApproximateTime(std::uint32_t queue)  // Not explicit: a synchronizer is made from the size of its queue.
   : queue_(std::max(1u, queue)) {}
   void setAgePenalty(double) {}
   void setInterMessageLowerBound(int, rclcpp::Duration) {}

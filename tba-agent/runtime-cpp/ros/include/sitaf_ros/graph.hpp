@@ -157,12 +157,15 @@ public:
   };
   std::map<std::string, Use> uses;
   std::vector<std::string> incompatibilities;
+  std::vector<std::string> different_types;
 
   void changed();
 
 private:
   bool match(Publication & publication, Subscribed & subscribed);
-  void note(const Publication & publication, const Subscribed & subscribed, const std::string & what);
+  void note(
+    const Publication & publication, const Subscribed & subscribed, const std::string & what,
+    std::vector<std::string> & notes);
   void deliver(Packet packet, Subscribed & subscribed);
 
   std::int64_t numbers_ = 0;

@@ -27,7 +27,9 @@ _OF_TRANSFORMS = ("tf2_msgs", "geometry_msgs", "std_msgs", "diagnostic_msgs", "s
 LIBRARY = "libnode.so"
 _OPTIONS = ["-O1", "-g1", "-fPIC", "-pthread", "-fdiagnostics-color=never", "-fno-diagnostics-show-caret"]
 _STANDARD = "-std=c++17"
-_ERROR = re.compile(r"^(?P<file>[^:\n]+):(?P<line>\d+):(?P<column>\d+): (?:fatal )?error: (?P<text>.*)$", re.M)
+_PLACE = r"^(?P<file>[^:\n]+):(?P<line>\d+):(?P<column>\d+): "
+_ERROR = re.compile(_PLACE + r"(?:fatal )?error: (?P<text>.*)$")
+_REQUIRED = re.compile(_PLACE + r" +(?:recursively )?required (?:from|by)")
 # What the linker replaces in the node.
 _WRAPPING = ("wrapped.cpp", "terminal.cpp")
 _WRAPPED = re.compile(r"\b__wrap_(\w+)\(")
@@ -158,20 +160,39 @@ class Build:
         command += [*sources.definitions, *options, *flags["--cflags"], "-c", str(unit), "-o", str(into)]
         done = _run(command, self._scratch)
         if done.returncode:
-            found = [f"{m['file']}\t{m['line']}\t{m['column']}\t{m['text']}" for m in _ERROR.finditer(done.stderr)]
+            found = self._compiler_errors(done.stderr)
             self._errors += found or [f"{unit}\t0\t0\t{done.stderr.strip() or 'the compiler failed'}"]
         return done.returncode == 0
+
+    def _compiler_errors(self, text: str) -> list[str]:
+        """A line for each error; one in a template of a library is at the line of the package that needs it."""
+        errors: list[str] = []
+        place = ""
+        for line in text.splitlines():
+            if ": In instantiation of" in line or ": In substitution of" in line:
+                place = ""
+            required = _REQUIRED.match(line)
+            if required and required["file"].startswith(f"{self._package}/"):
+                place = f"{required['file']}\t{required['line']}\t{required['column']}"
+            error = _ERROR.match(line)
+            if error:
+                here = f"{error['file']}\t{error['line']}\t{error['column']}"
+                outside = not error["file"].startswith((f"{self._package}/", f"{self._scratch}/"))
+                errors.append(f"{place if place and outside else here}\t{error['text']}")
+        return errors
 
     def _write_configured(self, sources: NodeSources) -> None:
         """Write what generate_export_header and configure_file make."""
         folder = self._scratch / "configured"
         folder.mkdir(exist_ok=True)
         for name, text in sources.cmake.generated_headers.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8")
         for template, name in sources.cmake.configured:
             text = template.read_text(encoding="utf-8", errors="replace")
             text = re.sub(r"@(\w+)@|\$\{(\w+)\}", lambda m: sources.cmake.variable(m[1] or m[2]), text)
             text = re.sub(r"^#cmakedefine (\w+).*$", lambda m: f"/* #undef {m[1]} */", text, flags=re.M)
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8")
 
     def _package_flags(self, sources: NodeSources) -> tuple[dict[str, list[str]], str]:

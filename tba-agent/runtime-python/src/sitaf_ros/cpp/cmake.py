@@ -15,6 +15,7 @@ _TARGETS = (
     "ament_auto_add_library",
     "ament_auto_add_executable",
     "target_sources",
+    "target_link_libraries",
 )
 # find_package names and those of pkg-config.
 _SYSTEM = {
@@ -45,6 +46,8 @@ class CMake:
         self.configured: list[tuple[Path, str]] = []
         self.system_packages: list[str] = []
         self.standard = 0
+        self._links: dict[str, list[str]] = {}
+        self._aliases: dict[str, str] = {}
         self._variables = {
             "CMAKE_CURRENT_SOURCE_DIR": str(folder),
             "CMAKE_SOURCE_DIR": str(folder),
@@ -69,7 +72,7 @@ class CMake:
         elif name == "find_package" and words and words[0].lower() in _SYSTEM:
             self.system_packages.append(_SYSTEM[words[0].lower()])
         elif name in _TARGETS and words:
-            self.targets.setdefault(words[0], []).extend(self._files(words[1:]))
+            self._target(name, words)
         elif name in ("include_directories", "target_include_directories"):
             kept = words[1:] if name.startswith("target") else words
             self.include_folders += [self._folder / w for w in kept if (self._folder / w).is_dir()]
@@ -85,8 +88,17 @@ class CMake:
         elif name == "generate_export_header" and words:
             self._export_header(words)
         elif name == "configure_file" and len(words) > 1 and (self._folder / words[0]).is_file():
-            self.configured.append((self._folder / words[0], Path(words[1]).name))
-            self.generated_headers[Path(words[1]).name] = ""
+            for file in _generated(words[1]):
+                self.configured.append((self._folder / words[0], file))
+                self.generated_headers[file] = ""
+
+    def _target(self, name: str, words: list[str]) -> None:
+        if name == "target_link_libraries":
+            self._links.setdefault(words[0], []).extend(words[1:])
+        elif words[1:2] == ["ALIAS"] and len(words) > 2:
+            self._aliases[words[0]] = words[2]
+        else:
+            self.targets.setdefault(words[0], []).extend(self._files(words[1:]))
 
     def _files(self, words: list[str]) -> list[Path]:
         return [(self._folder / word).resolve() for word in words if (self._folder / word).is_file()]
@@ -98,22 +110,38 @@ class CMake:
     def _export_header(self, words: list[str]) -> None:
         named = dict(zip(words[1::2], words[2::2], strict=False))
         base = named.get("BASE_NAME", words[0])
-        file = Path(named.get("EXPORT_FILE_NAME", f"{base.lower()}_export.h")).name
         macro = named.get("EXPORT_MACRO_NAME", f"{base.upper()}_EXPORT")
         upper = base.upper()
-        self.generated_headers[file] = (
+        text = (
             f"#pragma once\n#define {macro}\n#define {upper}_NO_EXPORT\n#define {upper}_DEPRECATED\n"
             f"#define {upper}_DEPRECATED_EXPORT\n"
         )
+        for file in _generated(named.get("EXPORT_FILE_NAME", f"{base.lower()}_export.h")):
+            self.generated_headers[file] = text
 
     def variable(self, name: str) -> str:
         """Return the value of a variable; empty if it is not set."""
         return self._variables.get(name, "")
 
     def units_of(self, file: Path) -> list[Path]:
-        """Return the sources of the targets that hold a file, which is the first of them."""
+        """Return the sources of the targets that hold a file, which is the first, and of what they link."""
+        pending = [name for name, sources in self.targets.items() if file in sources]
+        reached: list[str] = []
+        while pending:
+            name = self._aliases.get(pending[0], pending[0])
+            pending = pending[1:]
+            if name in self.targets and name not in reached:
+                reached.append(name)
+                pending += self._links.get(name, [])
         units = [file]
-        for sources in self.targets.values():
-            if file in sources:
-                units += [s for s in sources if s not in units and s.suffix in (".cpp", ".cc", ".cxx", ".c++", ".C")]
+        for source in (s for name in reached for s in self.targets[name]):
+            if source not in units and source.suffix in (".cpp", ".cc", ".cxx", ".c++", ".C"):
+                units.append(source)
         return units
+
+
+def _generated(name: str) -> list[str]:
+    """The names by which a generated header can be included: in its folder below the build folder, and alone."""
+    parts = [part for part in Path(name).parts if part not in ("/", "..")]
+    whole = "/".join(parts[1:] if parts[:1] == ["include"] else parts)
+    return sorted({whole, parts[-1]}) if parts else []

@@ -122,6 +122,10 @@ class NodeSources:
                     continue
                 if package in self._headers.packages:
                     problems.append(f"{file}\t{line}\t0\t{name}: the package {package} has no such interface")
+                elif (self._api / package).is_dir() and _ROS_NAMES.match(package):
+                    problems.append(
+                        f"{file}\t{line}\t0\t{name}: the test application brings {package}, but not this header of it"
+                    )
                 elif _ROS_NAMES.match(package):
                     problems.append(
                         f"{file}\t{line}\t0\t{name}: the test application does not bring this header of ROS; it brings "

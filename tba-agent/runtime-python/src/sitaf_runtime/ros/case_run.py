@@ -121,7 +121,8 @@ class CaseRun:
             ("the node never declares the parameter", report.undeclared_parameters),
             ("nothing observes the topic", report.unobserved_topics),
             ("nothing was published for the node on the topic", report.unfed_topics),
-            ("never called: the callback", report.uncalled_callbacks),
+            ("never called:", [_named(callback) for callback in report.uncalled_callbacks]),
+            ("different types of messages:", report.different_types),
             ("incompatible quality of service:", report.incompatible_qos),
             ("", report.warnings),
         )
@@ -343,6 +344,8 @@ class CaseRun:
             name, root, path = output["name"], output["root"], output["path"]
             if output["source"] == "count" and root in types:
                 actual[name] = str(self._count[root])
+            elif output["source"] == "count" and root in answers:
+                actual[name] = str(len(answers[root][1]))
             elif output["source"] == "return" and root not in answers:
                 actual[name] = "null"
             elif output["source"] in ("return", "out") and root in answers:
@@ -372,6 +375,11 @@ class CaseRun:
 
             return literals.write(value)
         return self._fields.literal(self._fields.type_of(type_, path), value)
+
+
+def _named(callback: str) -> str:
+    """A callback of Python has a name; one of C++ is described."""
+    return callback if callback.startswith("the callback ") else f"the callback {callback}"
 
 
 def _overriding(content: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:

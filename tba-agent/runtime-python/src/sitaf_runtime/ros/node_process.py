@@ -169,6 +169,10 @@ def _reason(status: int) -> str:
     return f"the process of the node ended with exit code {code}" if code else ""
 
 
+# What the set-up file of ROS sets; nodes ask for the release.
+_OF_ROS = {"ROS_DISTRO": "jazzy", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+
+
 def _load(plan: Plan, folder: Path) -> Any:
     try:
         from sitaf_ros import RosApplication, RosLoadError, TypeFolders
@@ -195,7 +199,7 @@ def _load(plan: Plan, folder: Path) -> Any:
         TypeFolders([folder / _INTERFACES]), package=package, folders=[sources], share={package: sources}
     )
     try:
-        application.load(entry)
+        application.load(entry, {**({} if plan.node.get("installed") else _OF_ROS), **plan.node["environment"]})
     except RosLoadError as e:
         raise CannotRunError(f"the node cannot be loaded: {e}") from e
     except BaseException as e:

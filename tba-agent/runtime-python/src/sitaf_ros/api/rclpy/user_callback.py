@@ -5,13 +5,13 @@ from __future__ import annotations
 import inspect
 from typing import Any
 
-from sitaf_ros.callback_names import callback_name
+from sitaf_ros.callback_names import callback_name, is_of_user
 from sitaf_ros.current import system
 
 
 def register(callback: Any) -> None:
     """Note a callback, so that a report can say that it was never called."""
-    if callback is not None:
+    if callback is not None and is_of_user(callback):
         system().unobserved.callback(callback_name(callback))
 
 

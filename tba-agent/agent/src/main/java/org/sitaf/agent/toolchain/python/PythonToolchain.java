@@ -293,6 +293,11 @@ public final class PythonToolchain implements Toolchain {
     if (parts.length < 4 || !parts[1].matches("\\d{1,9}") || !parts[2].matches("\\d{1,9}")) {
       return new SourceDiagnostic("", 0, 0, line, false);
     }
+    if (!parts[0].startsWith(output + "/")) {
+      // Of no file, or of a header of the system.
+      return new SourceDiagnostic(
+          parts[0], Integer.parseInt(parts[1]), Integer.parseInt(parts[2]), parts[3], false);
+    }
     String copy = output.relativize(Path.of(parts[0])).toString();
     String file = copy;
     for (Map.Entry<String, String> root : roots.entrySet()) {
