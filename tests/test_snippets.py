@@ -1,6 +1,7 @@
 """Every snippet of the documents is valid: the names that it uses exist in the readers, schemas and interfaces.
 
-The tutorials' snippets are run by test_book.py, the table of expressions by ExpressionVectorsTest.
+The tutorials' snippets are run by test_book.py, the table of expressions by ExpressionVectorsTest, commands and fragments of
+activities by e2e/test_documented.py.
 """
 
 import ast

@@ -117,6 +117,31 @@ def test_a_sanitizer_finds_what_no_result_shows(sitaf, tmp_path):
     assert "heap-buffer-overflow" not in run.stdout
 
 
+def test_modules_see_the_environment_when_they_are_imported(sitaf, tmp_path):
+    source = tmp_path / "activity/src/robot/robot"
+    source.mkdir(parents=True)
+    (source.parent / "package.xml").write_text("<package><name>robot</name></package>")
+    (source / "__init__.py").write_text("")
+    (source / "node.py").write_text(
+        "import os\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
+        "ROBOT = f\"{os.environ['ROBOT']} {os.environ['ROS_DISTRO']}\"\n\n\n"
+        "class Robot(Node):\n    def __init__(self):\n        super().__init__('robot')\n"
+        "        self.out = self.create_publisher(String, 'robot', 10)\n"
+        "        self.create_timer(0.5, lambda: self.out.publish(String(data=ROBOT)))\n"
+    )
+    (tmp_path / "activity/activity.yaml").write_text(
+        "name: robot\ncomponent:\n  language: ros2-python\n  sources: src/robot\n  class: robot.node:Robot\n"
+        "  environment: {ROBOT: small}\ntopics: {/robot: output.robot}\nmodels: [Model.xml]\n"
+    )
+    output = element("robot.data", "OUT", "string", expected="'small jazzy'")
+    (tmp_path / "activity/Model.xml").write_text(
+        model('interface="topics" method="publish" run_for="1"', outputs=[output])
+    )
+    run = sitaf("run", tmp_path / "activity")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "1 PASS" in run.stdout
+
+
 def test_a_node_holds_no_channel_of_results(sitaf, tmp_path):
     shutil.copytree(ROOT / "examples/velocity-mux-ros", tmp_path / "hostile")
     node = tmp_path / "hostile/src/velocity_mux/velocity_mux/mux.py"

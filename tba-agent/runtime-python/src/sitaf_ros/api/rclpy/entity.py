@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any
 
-from sitaf_ros.callback_names import callback_name
+from sitaf_ros.callback_names import callback_name, is_of_user
 from sitaf_ros.current import system
 
 Order = tuple[int, int]
@@ -31,7 +31,7 @@ class Entity:
         self.destroyed = False
         if callback_group is not None:
             callback_group.add_entity(self)
-        if callback is not None and not prefix:
+        if callback is not None and not prefix and is_of_user(callback):
             system().unobserved.callback(self.callback_name)
 
     def order(self) -> Order | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from sitaf_ros.callback_names import callback_name
+from sitaf_ros.callback_names import callback_name, is_of_user
 from sitaf_ros.current import message, system
 
 from .exceptions import (
@@ -40,7 +40,8 @@ class ParameterStore:
 
     def add_callback(self, kind: str, callback: Any, first: bool) -> None:
         """Add a callback before or after setting."""
-        system().unobserved.callback(callback_name(callback))
+        if is_of_user(callback):
+            system().unobserved.callback(callback_name(callback))
         self.callbacks[kind].insert(0 if first else len(self.callbacks[kind]), callback)
 
     def _call(self, callback: Any, parameters: list[Parameter]) -> Any:
