@@ -43,6 +43,15 @@ public final class NodeSources {
           "^[ \\t]*(?:from|import)[ \\t]+([a-z][a-z0-9_]{0,100})\\.(?:msg|srv|action)\\b",
           Pattern.MULTILINE);
 
+  /** {@code super().__init__('node', namespace='arm')}. */
+  private static final Pattern NAMESPACE =
+      Pattern.compile("\\bnamespace\\s?=\\s?['\"]/?(\\w[\\w/]{0,100}?)/?['\"]");
+
+  /** {@code Node("node", "arm"}. */
+  private static final Pattern CPP_NAMESPACE =
+      Pattern.compile(
+          "\\bNode\\(\\s{0,100}\"\\w{1,100}\"\\s{0,100},\\s{0,100}\"/?(\\w[\\w/]{0,100}?)/?\"");
+
   private static final Pattern CONTINUED = Pattern.compile("\\\\\\r?\\n");
 
   private static final Pattern CPP_SOURCE =
@@ -138,6 +147,7 @@ public final class NodeSources {
     while (used.find()) {
       packages.add(used.group(1));
     }
+    String namespace = namespace(NAMESPACE, text);
     Matcher created = CREATED.matcher(text);
     while (created.find()) {
       String written = created.group(2);
@@ -148,7 +158,7 @@ public final class NodeSources {
               : imported.get(written);
       if (type != null) {
         String name = created.group(3) == null ? created.group(4) : created.group(3);
-        endpoints.add(new Endpoint(kind(created.group(1)), full(name, remap), type));
+        endpoints.add(new Endpoint(kind(created.group(1)), full(name, namespace, remap), type));
       }
     }
   }
@@ -174,13 +184,15 @@ public final class NodeSources {
     while (used.find()) {
       packages.add(used.group(1));
     }
+    String namespace = namespace(CPP_NAMESPACE, text);
     Matcher created = CPP_CREATED.matcher(text);
     while (created.find()) {
       String written = aliases.getOrDefault(created.group(2), created.group(2));
       Matcher type = CPP_TYPE.matcher(written);
       if (type.matches()) {
         String name = type.group(1) + "/" + type.group(2);
-        endpoints.add(new Endpoint(kind(created.group(1)), full(created.group(3), remap), name));
+        endpoints.add(
+            new Endpoint(kind(created.group(1)), full(created.group(3), namespace, remap), name));
       }
     }
   }
@@ -195,13 +207,26 @@ public final class NodeSources {
     return isCpp ? CPP_SOURCE.matcher(path).matches() : path.endsWith(".py");
   }
 
-  private static String full(String topic, Map<String, String> remap) {
+  /** The namespace of the only node in a source that names one; empty without one. */
+  private static String namespace(Pattern pattern, String text) {
+    SortedSet<String> found = new TreeSet<>();
+    Matcher given = pattern.matcher(text);
+    while (given.find()) {
+      found.add(given.group(1));
+    }
+    return found.size() == 1 ? found.first() : "";
+  }
+
+  private static String full(String topic, String namespace, Map<String, String> remap) {
     String replaced = remap.get(topic);
     if (replaced == null) {
       replaced = remap.get(topic.startsWith("/") ? topic.substring(1) : "/" + topic);
     }
     String name = replaced == null ? topic : replaced;
-    return name.startsWith("/") ? name : "/" + name;
+    if (name.startsWith("/")) {
+      return name;
+    }
+    return (namespace.isEmpty() || name.startsWith("~") ? "/" : "/" + namespace + "/") + name;
   }
 
   /** The types that the sources name for a topic. */

@@ -15,7 +15,16 @@ final class LifecycleServices {
   static final List<String> METHODS = List.of("ChangeState", "GetState");
 
   private static final Pattern CLASS =
-      Pattern.compile("\\bclass\\s+\\w{1,100}[^{;:]{0,20}[(:][^{;]{0,300}?\\bLifecycleNode\\b");
+      Pattern.compile("\\bclass\\s+(\\w{1,100})[^{;:]{0,20}[(:][^{;]{0,300}?\\bLifecycleNode\\b");
+
+  /** rclpy.lifecycle has the class as {@code Node}, too. */
+  private static final Pattern ALIAS =
+      Pattern.compile(
+          "\\bfrom\\s+rclpy\\.lifecycle\\s+import\\s+(?:\\([^)]{0,500}?|[^\\n]{0,500}?)\\bNode\\b");
+
+  private static final Pattern OF_ALIAS =
+      Pattern.compile("\\bclass\\s+(\\w{1,100})\\(\\s{0,20}Node\\s{0,20}[,)]");
+
   private static final Pattern NAME =
       Pattern.compile("\\b(?:__init__|LifecycleNode)\\s{0,20}\\(\\s{0,100}['\"](\\w{1,100})['\"]");
 
@@ -24,9 +33,8 @@ final class LifecycleServices {
   /** Entries of {@code provided}; empty unless a source holds a lifecycle node with a name. */
   static List<String> of(List<String> texts, FileTree installed) {
     return texts.stream()
-        .filter(text -> CLASS.matcher(text).find())
-        .map(LifecycleServices::nameIn)
-        .flatMap(Optional::stream)
+        .flatMap(
+            text -> classIn(text).flatMap(c -> nameIn(text).or(() -> nameOf(c, texts))).stream())
         .findFirst()
         .filter(name -> METHODS.stream().allMatch(m -> installed.contains(path(m))))
         .map(
@@ -35,6 +43,29 @@ final class LifecycleServices {
                     entry(METHODS.get(0), name + "/change_state"),
                     entry(METHODS.get(1), name + "/get_state")))
         .orElse(List.of());
+  }
+
+  private static Optional<String> classIn(String text) {
+    Matcher declared = CLASS.matcher(text);
+    if (declared.find()) {
+      return Optional.of(declared.group(1));
+    }
+    Matcher alias = OF_ALIAS.matcher(text);
+    return ALIAS.matcher(text).find() && alias.find()
+        ? Optional.of(alias.group(1))
+        : Optional.empty();
+  }
+
+  /** The name with which the node is made: {@code Talker('talker')}. */
+  private static Optional<String> nameOf(String nodeClass, List<String> texts) {
+    Pattern made =
+        Pattern.compile(
+            "\\b" + nodeClass + "\\s{0,20}>?\\s{0,20}\\(\\s{0,100}['\"](\\w{1,100})['\"]");
+    return texts.stream()
+        .map(made::matcher)
+        .filter(Matcher::find)
+        .map(found -> found.group(1))
+        .findFirst();
   }
 
   private static Optional<String> nameIn(String text) {

@@ -151,6 +151,38 @@ class NewNodeActivityTest {
   }
 
   @Test
+  void namesAreInTheNamespaceOfTheNode() {
+    String node = NODE.replace("(name, **options)", "(name, namespace='/arm')");
+
+    assertThat(
+            propose(python(Map.of("follower/node.py", node)), null)
+                .files()
+                .text("activity.yaml")
+                .orElseThrow())
+        .contains("  /arm/goal: input.arm_goal\n", "  /robot/cmd: [", "name: /arm/enable}");
+  }
+
+  @Test
+  void aLifecycleNodeMayGetItsNameWhereItIsMade() {
+    String node =
+        """
+        import rclpy
+        from rclpy.lifecycle import (
+            Node, Publisher)
+        class Talker(Node):
+            def __init__(self, name, **kwargs):
+                super().__init__(name, **kwargs)
+        def main():
+            talker = Talker('lc_talker')
+        """;
+    Map<String, String> files =
+        Map.of("follower/node.py", node, "setup.py", "'talk = follower.node:main'");
+
+    assertThat(propose(python(files), null).files().text("activity.yaml").orElseThrow())
+        .contains("name: /lc_talker/change_state}", "models: [LifeCycle.xml");
+  }
+
+  @Test
   void doesNotStubAServiceThatTheNodeItselfAnswers() {
     String node = NODE + "        self.create_client(SetBool, 'enable')\n";
 
