@@ -18,6 +18,9 @@ final class ElementProposals {
   /** Members of large messages beyond this number keep the default of their type. */
   private static final int MAX_ELEMENTS = 12;
 
+  /** A node may have several topics, each with a message; a scan alone has nine members. */
+  private static final int MAX_ELEMENTS_OF_NODE = 20;
+
   private static final int MAX_DEPTH = 6;
 
   /** Set by transport, not by the caller's intent. */
@@ -71,7 +74,7 @@ final class ElementProposals {
   }
 
   private void propose(String path, String name, DataType type, int depth) {
-    if (count >= MAX_ELEMENTS && depth > 0) {
+    if (count >= (isNode ? MAX_ELEMENTS_OF_NODE : MAX_ELEMENTS) && depth > 0) {
       return;
     }
     if (type instanceof DataType.Scalar scalar) {
