@@ -24,6 +24,7 @@ from sitaf_ros.source_check import check, module_file
 from sitaf_ros.system import RosSystem
 
 API = Path(__file__).parent / "api"
+_SUPPLY = "name the folder of its package under libraries: in activity.yaml, or its PyPI package in requirements.txt"
 OWN_DEFINITIONS = Path(__file__).parent / "definitions"
 
 
@@ -72,7 +73,7 @@ class RosApplication:
         except RosLoadError:
             raise
         except ModuleNotFoundError as e:
-            raise RosLoadError([f"{entry}: the Python module {e.name} is not available"]) from e
+            raise RosLoadError([f"{entry}: the Python module {e.name} is not available; {_SUPPLY}"]) from e
         except (ImportError, AttributeError, SyntaxError, DefinitionError) as e:
             raise RosLoadError([f"{entry}: {type(e).__name__}: {e}"]) from e
         finally:

@@ -18,7 +18,7 @@ _NOT_THE_USERS = tuple(
         sysconfig.get_paths()["platstdlib"],
     }
 )
-_OURS = ("sitaf_runtime", "sitaf_harness", "grpc")
+_OURS = ("sitaf_runtime", "sitaf_ros", "sitaf_harness", "grpc")
 _PACKAGES = ("site-packages", "dist-packages")
 
 

@@ -4,10 +4,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -17,6 +21,7 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.beginning.choice.InterfaceChoice;
 import org.sitaf.core.beginning.choice.InterfacePlace;
 import org.sitaf.core.beginning.node.NodeChoice;
+import org.sitaf.core.beginning.node.NodePackage;
 import org.sitaf.core.description.importer.InterfaceFiles;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
@@ -60,27 +65,42 @@ final class GivenFiles {
       throw InvalidInputException.of(
           "--node " + folder, "is not a folder; name the folder of " + MANIFEST);
     }
-    return NodeChoice.of(
-        UserFiles.folder(folder), interfacesInParent(folder), folder.toString(), language);
+    FileTree files = UserFiles.folder(folder);
+    Path above = folder.toAbsolutePath().normalize().getParent();
+    FileTree parent = above == null ? NONE : packagesIn(above, files.text(MANIFEST).orElse(""));
+    return NodeChoice.of(files, parent, folder.toString(), language);
   }
 
-  private static FileTree interfacesInParent(Path folder) throws IOException {
-    Path above = folder.toAbsolutePath().normalize().getParent();
+  /**
+   * The interface files of all packages of a folder, and the sources of those in Python on which a
+   * package depends.
+   */
+  private static FileTree packagesIn(Path above, String manifest) throws IOException {
     Map<String, byte[]> files = new HashMap<>();
-    if (above == null) {
-      return NONE;
-    }
     try (Stream<Path> packages = Files.list(above)) {
       for (Path sibling : (Iterable<Path>) packages.sorted()::iterator) {
         if (!Files.isRegularFile(sibling.resolve(MANIFEST))) {
           continue;
         }
         String name = sibling.getFileName() + "/";
-        files.put(name + MANIFEST, new byte[0]);
+        files.put(name + MANIFEST, UserFiles.file(sibling.resolve(MANIFEST)));
         for (String kind : NodeChoice.INTERFACE_FOLDERS) {
           Predicate<String> wanted = path -> path.endsWith("." + kind);
           add(sibling.resolve(kind), name + kind + "/", wanted, files);
         }
+      }
+    }
+    Set<String> seen = new HashSet<>();
+    Deque<String> open = new ArrayDeque<>(NodePackage.dependenciesIn(manifest));
+    while (!open.isEmpty()) {
+      String name = open.remove();
+      Path sibling = above.resolve(name);
+      if (seen.add(name) && Files.isRegularFile(sibling.resolve(MANIFEST))) {
+        FileTree sources = UserFiles.folder(sibling);
+        sources.paths().stream()
+            .filter(path -> path.endsWith(".py"))
+            .forEach(path -> files.put(name + "/" + path, sources.content(path).orElseThrow()));
+        open.addAll(NodePackage.dependenciesIn(sources.text(MANIFEST).orElse("")));
       }
     }
     return FileTree.of(files);

@@ -60,9 +60,18 @@ public final class NodeSources {
   /** {@code create_publisher<TYPE>(NODE, "NAME"}, where the node may be missing or in parts. */
   private static final Pattern CPP_CREATED =
       Pattern.compile(
-          "\\b(create_(?:publisher|subscription|client|service|server))\\s{0,10}<\\s{0,100}"
-              + "([\\w:]{1,200})[^>;]{0,100}>\\s{0,100}"
+          "\\b(create_(?:publisher|subscription|client|service|server)|Subscriber)\\s{0,10}<\\s{0,100}"
+              + "([\\w:]{1,200})[^>;]{0,100}>{1,2}\\s{0,100}"
               + "\\((?:\\s{0,100}[\\w>().-]{1,100},){0,4}\\s{0,100}\"([^\"\\n]{1,200})\"");
+
+  /** {@code message_filters::Subscriber<TYPE> VARIABLE;}, which subscribes elsewhere. */
+  private static final Pattern CPP_FILTER =
+      Pattern.compile(
+          "\\bSubscriber\\s{0,10}<\\s{0,100}([\\w:]{1,200})[^>;]{0,100}>{1,2}\\s{1,20}(\\w{1,100})\\s{0,10}[;{]");
+
+  private static final Pattern CPP_SUBSCRIBED =
+      Pattern.compile(
+          "\\b(\\w{1,100})(?:\\.|->)subscribe\\(\\s{0,100}[\\w>().-]{1,100},\\s{0,100}\"([^\"\\n]{1,200})\"");
 
   private static final Pattern CPP_ALIAS =
       Pattern.compile(
@@ -116,19 +125,41 @@ public final class NodeSources {
   private final SortedSet<String> packages = new TreeSet<>();
 
   /**
-   * @param texts the node's sources
+   * @param sources the node's sources
    * @param remap replaced names of the node
    * @param isCpp whether they are in C++
    */
-  public NodeSources(List<String> texts, Map<String, String> remap, boolean isCpp) {
+  public NodeSources(List<String> sources, Map<String, String> remap, boolean isCpp) {
+    List<String> texts = sources.stream().filter(t -> t.length() <= MAX_CHARACTERS).toList();
     for (String text : texts) {
-      if (text.length() > MAX_CHARACTERS) {
-        continue;
-      }
       if (isCpp) {
         scanCpp(text, remap);
       } else {
         scan(joined(text), remap);
+      }
+    }
+    if (isCpp) {
+      filters(texts, remap);
+    }
+  }
+
+  /** Subscribers of message filters, which a header declares and a source subscribes. */
+  private void filters(List<String> texts, Map<String, String> remap) {
+    Map<String, String> types = new HashMap<>();
+    for (String text : texts) {
+      Matcher declared = CPP_FILTER.matcher(text);
+      while (declared.find()) {
+        types.put(declared.group(2), declared.group(1));
+      }
+    }
+    for (String text : texts) {
+      Matcher subscribed = CPP_SUBSCRIBED.matcher(text);
+      while (subscribed.find()) {
+        Matcher type = CPP_TYPE.matcher(types.getOrDefault(subscribed.group(1), ""));
+        if (type.matches()) {
+          String name = full(subscribed.group(2), namespace(CPP_NAMESPACE, text), remap);
+          endpoints.add(new Endpoint(Kind.SUBSCRIPTION, name, type.group(1) + "/" + type.group(2)));
+        }
       }
     }
   }

@@ -41,7 +41,8 @@ import org.sitaf.core.suite.TestCaseGenerator;
  *
  * @param name name of the activity
  * @param entry class or main of the node; null for the only one
- * @param siblings interface files of packages next to it by {@code PACKAGE/msg/NAME.msg}
+ * @param siblings interface files of packages next to it by {@code PACKAGE/msg/NAME.msg}, and whole
+ *     packages in Python, with their {@code package.xml}, that the node depends on
  * @param installed interface files of ROS 2
  */
 public record NewNodeActivity(
@@ -85,6 +86,12 @@ public record NewNodeActivity(
         .forEach(path -> all.put(folder() + "/" + path, given.files().content(path).orElseThrow()));
     needed(sources.packages())
         .forEach(path -> all.put("src/" + path, siblings.content(path).orElseThrow()));
+    libraries()
+        .forEach(
+            folder ->
+                siblings.below(folder).paths().stream()
+                    .map(path -> folder + "/" + path)
+                    .forEach(path -> all.put("src/" + path, siblings.content(path).orElseThrow())));
     String profile = profile(chosen, sources, texts, tree(all), notes);
     all.put("activity.yaml", bytes(profile + end(List.of())));
     Activity withoutModels = Activity.read(tree(all), installed);
@@ -123,6 +130,15 @@ public record NewNodeActivity(
       }
     }
     return needed;
+  }
+
+  /** The packages in Python that come along. */
+  private List<String> libraries() {
+    String end = "/package.xml";
+    return siblings.paths().stream()
+        .filter(path -> path.endsWith(end))
+        .map(path -> path.substring(0, path.length() - end.length()))
+        .toList();
   }
 
   private String folder() {
@@ -176,6 +192,12 @@ public record NewNodeActivity(
     text.append("required: ")
         .append(shown(services(sources, Kind.CLIENT, files, notes)))
         .append('\n');
+    if (!libraries().isEmpty()) {
+      text.append("# Packages that the node depends on.\n");
+      text.append("libraries: ")
+          .append(libraries().stream().map(folder -> "src/" + folder).toList())
+          .append('\n');
+    }
     return text.toString();
   }
 

@@ -1,6 +1,9 @@
 package org.sitaf.core.beginning.node;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -12,11 +15,14 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 /**
  * The ROS 2 package of a new activity.
  *
- * @param siblings interface files of the packages next to it
+ * @param siblings interface files of the packages next to it, and the whole packages in Python that
+ *     a node in Python depends on
  */
 public record NodeChoice(NodePackage chosen, FileTree siblings) {
   /** Folders of interface files, which have the same extension. */
   public static final List<String> INTERFACE_FOLDERS = List.of("action", "msg", "srv");
+
+  private static final String MANIFEST = "package.xml";
 
   private static final Set<String> RESULTS_OF_BUILDS = Set.of("build", "install", "log");
 
@@ -24,8 +30,8 @@ public record NodeChoice(NodePackage chosen, FileTree siblings) {
    * Chooses a package.
    *
    * @param folder content of the folder of {@code package.xml}
-   * @param parent content of its parent folder, of which only the interface files of packages are
-   *     used
+   * @param parent content of its parent folder, of which the interface files of packages and the
+   *     packages in Python that the node depends on are used
    * @param shown how messages name the folder
    * @param language Python or C++; null if the package decides
    * @throws InvalidInputException if it is no package with a node
@@ -43,7 +49,31 @@ public record NodeChoice(NodePackage chosen, FileTree siblings) {
     parent.paths().stream()
         .filter(path -> isInterfaceOfSibling(path, chosen.name(), parent))
         .forEach(path -> siblings.put(path, parent.content(path).orElseThrow()));
+    if (!chosen.isCpp()) {
+      addDependencies(chosen, parent, siblings);
+    }
     return new NodeChoice(chosen, FileTree.of(siblings));
+  }
+
+  private static void addDependencies(
+      NodePackage chosen, FileTree parent, Map<String, byte[]> siblings) {
+    Set<String> seen = new HashSet<>(Set.of(chosen.name()));
+    Deque<String> open = new ArrayDeque<>(NodePackage.dependenciesIn(chosen.text(MANIFEST)));
+    while (!open.isEmpty()) {
+      String name = open.remove();
+      String manifest = name + "/" + MANIFEST;
+      FileTree files = parent.below(name);
+      if (!seen.add(name)
+          || !parent.contains(manifest)
+          || files.paths().stream().noneMatch(path -> path.endsWith("/__init__.py"))) {
+        continue;
+      }
+      files.paths().stream()
+          .filter(NodeChoice::isSource)
+          .filter(path -> path.endsWith(".py") || path.equals(MANIFEST))
+          .forEach(path -> siblings.put(name + "/" + path, files.content(path).orElseThrow()));
+      open.addAll(NodePackage.dependenciesIn(parent.text(manifest).orElseThrow()));
+    }
   }
 
   /** Whether a path is neither hidden nor a result of a build. */

@@ -2,6 +2,8 @@ package org.sitaf.core.beginning.node;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -19,6 +21,10 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 public record NodePackage(String name, boolean isCpp, FileTree files) {
   private static final Pattern NAME =
       Pattern.compile("<name>\\s{0,100}([a-z][a-z0-9_]{0,100})\\s{0,100}</name>");
+
+  private static final Pattern DEPENDENCY =
+      Pattern.compile(
+          "<(?:exec_)?depend>\\s{0,100}([a-z][a-z0-9_]{0,100})\\s{0,100}</(?:exec_)?depend>");
 
   /**
    * Reads a package.
@@ -62,6 +68,16 @@ public record NodePackage(String name, boolean isCpp, FileTree files) {
   public static Optional<String> nameIn(String manifest) {
     Matcher name = NAME.matcher(manifest);
     return name.find() ? Optional.of(name.group(1)) : Optional.empty();
+  }
+
+  /** The packages on which one depends when it runs, as its {@code package.xml} names them. */
+  public static Set<String> dependenciesIn(String manifest) {
+    Set<String> names = new TreeSet<>();
+    Matcher dependency = DEPENDENCY.matcher(manifest);
+    while (dependency.find()) {
+      names.add(dependency.group(1));
+    }
+    return names;
   }
 
   private static boolean uses(FileTree files, boolean isCpp, String library) {

@@ -151,6 +151,20 @@ class NewNodeActivityTest {
   }
 
   @Test
+  void aPackageInPythonThatComesAlongIsALibrary() {
+    FileTree siblings =
+        tree(Map.of("nav_utils/package.xml", "", "nav_utils/nav_utils/a.py", "A = 1"));
+    NodePackage given = NodePackage.of(python(Map.of()), "follower", null);
+
+    FileTree files = new NewNodeActivity("a", given, null, siblings, INSTALLED).propose().files();
+
+    assertThat(files.text("src/nav_utils/nav_utils/a.py")).contains("A = 1");
+    assertThat(files.text("activity.yaml").orElseThrow()).contains("libraries: [src/nav_utils]\n");
+    assertThat(Activity.read(files, INSTALLED).profile().libraries())
+        .containsExactly("src/nav_utils");
+  }
+
+  @Test
   void namesAreInTheNamespaceOfTheNode() {
     String node = NODE.replace("(name, **options)", "(name, namespace='/arm')");
 
@@ -214,6 +228,7 @@ class NewNodeActivityTest {
         """
         #include <std_msgs/msg/float64.hpp>
         struct Limits { std::string topic; };
+        message_filters::Subscriber<std_msgs::msg::Float64> limit_;
         """;
     String node =
         """
@@ -225,6 +240,8 @@ class NewNodeActivityTest {
         class Follower : public rclcpp::Node {
           explicit Follower(const rclcpp::NodeOptions& o) : Node("follower", o) {
             declare_parameter<double>("max_speed", 1.0);
+            imu_ = std::make_shared<message_filters::Subscriber<std_msgs::msg::Float64>>(node, "imu");
+            limit_.subscribe(this, "limit", rmw_qos_profile_default);
             pub_ = create_publisher<std_msgs::msg::Float64>("cmd", 10);
             server_ = rclcpp_action::create_server<Turn>(
                 get_node_base_interface(), get_node_clock_interface(),
@@ -257,7 +274,7 @@ class NewNodeActivityTest {
             "language: ros2-cpp",
             "class: follower::Follower",
             "declares: max_speed.",
-            "topics:\n  /cmd: output.cmd\nprovided: \n  - {type: demo/action/Turn.action, name:"
+            "topics:\n  /cmd: output.cmd\n  /imu: input.imu\n  /limit: input.limit\nprovided: \n  - {type: demo/action/Turn.action, name:"
                 + " /turn}\n",
             "required: \n  - {type: std_srvs/srv/SetBool.srv, name: /stop}\n");
   }

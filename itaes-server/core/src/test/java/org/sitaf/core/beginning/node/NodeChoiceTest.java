@@ -56,6 +56,38 @@ class NodeChoiceTest {
   }
 
   @Test
+  void packagesInPythonThatTheNodeDependsOnComeAlong() {
+    FileTree node =
+        tree(
+            Map.of(
+                "package.xml",
+                "<package><name>follower</name><depend>nav_utils</depend>"
+                    + "<exec_depend>rclpy</exec_depend><test_depend>checks</test_depend></package>",
+                "follower/node.py",
+                "import rclpy"));
+    FileTree parent =
+        tree(
+            Map.of(
+                "nav_utils/package.xml", "<depend>geometry</depend><depend>nav_utils</depend>",
+                "nav_utils/nav_utils/__init__.py", "",
+                "nav_utils/build/copy.py", "",
+                "nav_utils/README.md", "",
+                "geometry/package.xml", "",
+                "geometry/geometry/__init__.py", "",
+                "checks/package.xml", "",
+                "checks/checks/__init__.py", "",
+                "other/package.xml", "",
+                "other/other/__init__.py", ""));
+
+    assertThat(NodeChoice.of(node, parent, "follower", null).siblings().paths())
+        .containsExactly(
+            "geometry/geometry/__init__.py",
+            "geometry/package.xml",
+            "nav_utils/nav_utils/__init__.py",
+            "nav_utils/package.xml");
+  }
+
+  @Test
   void messagesNameTheFolderAsTheUserKnowsIt() {
     assertThatThrownBy(() -> NodeChoice.of(tree(Map.of()), tree(Map.of()), "ws/follower", null))
         .isInstanceOf(InvalidInputException.class)
