@@ -1,5 +1,7 @@
 """What a user is told of a case, and the stamps of what the test publishes."""
 
+import pytest
+
 from tests.ros_cases import node
 
 HEAD = """
@@ -61,3 +63,37 @@ def test_different_types_are_no_quality_of_service_and_callbacks_of_the_api_are_
         "/speed: the test -> /probe: geometry_msgs/msg/Twist and geometry_msgs/msg/TwistStamped",
     )
     assert report.uncalled_callbacks == ("Probe.never", "Probe.path", "Probe.transforms")
+
+
+TIMER = (
+    HEAD
+    + """
+from rclpy.timer import TimerInfo
+class Probe(Node):
+    def __init__(self):
+        super().__init__('probe')
+        self.create_timer(1.0, self.tick)
+
+    def tick(self, PARAMETER):
+        self.get_logger().info('tick')
+
+def main():
+    with rclpy.init():
+        rclpy.spin(Probe())
+"""
+)
+
+
+def test_a_parameter_of_a_timers_callback_is_an_error_unless_it_is_a_timer_info(tmp_path):
+    def script(case):
+        case.run(1)
+        return case.texts, case.system.report().warnings
+
+    texts, warnings = node(tmp_path, TIMER.replace("PARAMETER", "info: TimerInfo"), script, entry="followed:main")
+    assert texts == ["tick"]
+    assert warnings == (
+        "TimerInfo for the callback of a timer: in ROS 2 from Kilted on, an error in Jazzy",
+        "with rclpy.init(): in ROS 2 from Kilted on, an error in Jazzy",
+    )
+    with pytest.raises(AssertionError, match=r"TypeError: .*missing 1 required positional argument: 'event'"):
+        node(tmp_path, TIMER.replace("PARAMETER", "event"), script, entry="followed:main")

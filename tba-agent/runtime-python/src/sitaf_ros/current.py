@@ -46,6 +46,11 @@ def system() -> RosSystem:
     return CURRENT.system
 
 
+def note_later_release(what: str) -> None:
+    """Note that a node uses what Jazzy does not have, which runs here nevertheless."""
+    system().unobserved.warn(f"{what}: in ROS 2 from Kilted on, an error in Jazzy")
+
+
 def node_threads() -> NodeThreads | None:
     """Return the threads of the case if the caller is one of them, else None."""
     threads = CURRENT.threads

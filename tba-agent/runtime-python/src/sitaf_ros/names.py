@@ -34,9 +34,9 @@ def topic_problem(name: str) -> str | None:
         return "topic name must not contain repeated '/'"
     if "~" in name[1:] or (name.startswith("~") and len(name) > 1 and name[1] != "/"):
         return "topic name has tilde in invalid location, it may only be first and followed by '/'"
-    for i, c in enumerate(name):
+    for c in name:
         if not (c.isascii() and (c.isalnum() or c in "_/~{}")):
-            return f"topic name must contain only alphanumerics, '_', '~', '{{', or '}}', not '{c}' at {i}"
+            return "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
     if any(part[:1].isdigit() for part in name.lstrip("~/").split("/")):
         return "topic name token must not start with a number"
     return None

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from sitaf_ros.current import note_later_release
+
 from . import (
     callback_groups,
     clock,
@@ -79,6 +81,7 @@ class InitContextManager:
         self.context = used
 
     def __enter__(self) -> InitContextManager:
+        note_later_release("with rclpy.init()")
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from sitaf_ros.callback_names import callback_name, is_of_user
-from sitaf_ros.current import system
+from sitaf_ros.current import note_later_release, system
 
 Order = tuple[int, int]
 Work = Callable[[], Any]
@@ -57,6 +57,7 @@ class Entity:
         self._node._ros_forget(self)
 
     def __enter__(self) -> Any:
+        note_later_release(f"with on a {type(self).__name__.lower()}")
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -83,7 +83,7 @@ class ParameterImmutableException(ParameterException):
 
 class ParameterUninitializedException(ParameterException):
     def __init__(self, parameter: Any, *args: Any) -> None:
-        super().__init__(f"The parameter '{parameter}' is not initialized", [], *args)
+        super().__init__(f"The parameter '{parameter}' is not initialized", parameter, *args)
 
 
 class ROSInterruptException(Exception):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import weakref
 from typing import Any
 
-from sitaf_ros.current import message, system
+from sitaf_ros.current import message, note_later_release, system
 
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .client import Client
@@ -360,6 +360,7 @@ class Node(NodeGraph, NodeParameters):
             system().node_list.remove(self)
 
     def __enter__(self) -> Node:
+        note_later_release("with on a node")
         return self
 
     def __exit__(self, *_: object) -> None:

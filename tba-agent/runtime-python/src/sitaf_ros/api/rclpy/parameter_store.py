@@ -58,7 +58,7 @@ class ParameterStore:
         if not name or not isinstance(name, str):
             raise InvalidParameterException(name)
         if name in self.descriptors:
-            raise ParameterAlreadyDeclaredException(name)
+            raise ParameterAlreadyDeclaredException([name])
         descriptor = (
             message("rcl_interfaces/msg/ParameterDescriptor")() if descriptor is None else descriptor.copy_message()
         )
@@ -198,7 +198,9 @@ def out_of_range(parameter: Parameter, limits: Any, epsilon: float) -> str:
     if abs(value - low) <= epsilon * max(1, abs(low)) or abs(value - high) <= epsilon * max(1, abs(high)):
         return ""
     if not min(low, high) <= value <= max(low, high):
-        return f"Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {value}"
+        # The texts of rclpy differ by a full stop.
+        stop = "." if isinstance(value, int) else ""
+        return f"Parameter {parameter.name} out of range{stop} Min: {low}, Max: {high}, value: {value}"
     if step and abs((value - low) / step - round((value - low) / step)) * step > epsilon * max(1, abs(value)):
         return (
             f"The parameter value for {parameter.name} is not a valid step. Min: {low}, max: {high}, "

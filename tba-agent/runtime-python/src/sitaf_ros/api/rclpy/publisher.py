@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sitaf_ros import graph
-from sitaf_ros.current import system
+from sitaf_ros.current import note_later_release, system
 from sitaf_ros.serialization import Reader
 
 from .exceptions import InvalidHandle
@@ -71,6 +71,7 @@ class Publisher:
             self._node._ros_forget_publisher(self)
 
     def __enter__(self) -> Publisher:
+        note_later_release("with on a publisher")
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import inspect
 from dataclasses import dataclass
 from typing import Any
 
-from sitaf_ros.current import system
+from sitaf_ros.current import note_later_release, system
 
 from .duration import Duration
 from .entity import TIMERS, Entity, Order, Work
@@ -63,13 +64,15 @@ class Timer(Entity):
             self._next += -(-(now - self._next) // self._step()) * self._step()
         if self.callback is None:
             return lambda: None
-        if _takes_info(self.callback):
+        parameter = _info_parameter(self.callback)
+        if parameter:
+            note_later_release("TimerInfo for the callback of a timer")
             shift = self.clock.now().nanoseconds - now
             kind = self.clock.clock_type
             info = TimerInfo(
                 Time(nanoseconds=expected + shift, clock_type=kind), Time(nanoseconds=now + shift, clock_type=kind)
             )
-            return lambda: self.callback(info)
+            return functools.partial(self.callback, **{parameter: info})
         return self.callback
 
     def cancel(self) -> None:
@@ -103,14 +106,13 @@ class Timer(Entity):
         return None if self._canceled else self._next - system().now_ns
 
 
-def _takes_info(callback: Any) -> bool:
+def _info_parameter(callback: Any) -> str:
+    """Return the parameter that is annotated as TimerInfo; empty if there is none."""
     try:
-        inspect.signature(callback).bind()
-    except TypeError:
-        return True
-    except ValueError:
-        pass  # a built-in function without a signature
-    return False
+        parameters = inspect.signature(callback).parameters.values()
+    except (TypeError, ValueError):
+        return ""  # a built-in function without a signature
+    return next((p.name for p in parameters if p.annotation in (TimerInfo, "TimerInfo")), "")
 
 
 class Rate:

@@ -66,7 +66,7 @@ class RcutilsLogger:
         last = LogState.seen.get(site)
         if once:
             LogState.seen[site] = now
-            return last is None
+            return last is None and not skip
         if skip and last is None:
             LogState.seen[site] = now if throttle is None else float("-inf")
             return False
