@@ -142,6 +142,32 @@ def test_modules_see_the_environment_when_they_are_imported(sitaf, tmp_path):
     assert "1 PASS" in run.stdout
 
 
+@cpp
+def test_a_crash_names_the_callback(sitaf, tmp_path):
+    source = tmp_path / "activity/src/robot/src"
+    source.mkdir(parents=True)
+    (source.parent / "package.xml").write_text("<package><name>robot</name></package>")
+    (source / "node.cpp").write_text(
+        "#include <rclcpp/rclcpp.hpp>\n#include <std_msgs/msg/string.hpp>\nusing std_msgs::msg::String;\n"
+        "class Robot : public rclcpp::Node {\npublic:\n  Robot() : Node(\"robot\") {\n"
+        '    in_ = create_subscription<String>("name", 1, [](String::SharedPtr m) {\n'
+        '      if (m->data == "none") {volatile char * nothing = nullptr; *nothing = 1;}});\n  }\n'
+        "private:\n  rclcpp::Subscription<String>::SharedPtr in_;\n};\n"
+        "int main(int argc, char ** argv) {\n  rclcpp::init(argc, argv);\n"
+        "  rclcpp::spin(std::make_shared<Robot>());\n}\n"
+    )
+    (tmp_path / "activity/activity.yaml").write_text(
+        "name: robot\ncomponent:\n  language: ros2-cpp\n  sources: src/robot\n  main: src/node.cpp\n"
+        "topics: {/name: input.name}\nmodels: [Model.xml]\n"
+    )
+    name = element("name.data", "TDI", "string", values=("some", "none"))
+    (tmp_path / "activity/Model.xml").write_text(model('interface="topics" method="publish"', inputs=[name]))
+    run = sitaf("run", tmp_path / "activity")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "by the signal SIGSEGV, in the callback of the subscription /name" in run.stdout
+    assert "1 PASS, 0 FAIL, 1 ERROR" in run.stdout
+
+
 def test_a_node_holds_no_channel_of_results(sitaf, tmp_path):
     shutil.copytree(ROOT / "examples/velocity-mux-ros", tmp_path / "hostile")
     node = tmp_path / "hostile/src/velocity_mux/velocity_mux/mux.py"

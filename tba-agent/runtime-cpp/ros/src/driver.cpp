@@ -82,6 +82,7 @@ void sitaf_ros_set(const char * what, const char * name, const char * value)
 void sitaf_ros_begin()
 {
   sitaf_ros::begin_input();
+  kernel::running("main");
   kernel::start("main", sitaf_ros::run_entry);
 }
 void sitaf_ros_run_ready() {kernel::run_ready();}
@@ -186,6 +187,9 @@ std::int64_t sitaf_ros_call(const char * name, const char * type, const std::uin
     });
   return sent ? id : 0;
 }
+
+/// What the node does, or did when its process was ended by a signal. To be called once before the process is forked.
+const char * sitaf_ros_running() {return kernel::running();}
 
 /// The first failure of the node: its place, a tab and its text.
 const char * sitaf_ros_failure() {return kernel::failure().c_str();}

@@ -174,8 +174,10 @@ void Executor::execute(AnyExecutable & found)
   if (counted != callbacks.end()) {
     ++counted->second;
   }
+  kernel::running(found.entity->callback_name);
   try {
     found.run();
+    kernel::running("");
   } catch (...) {
     found.group->sitaf_ends();
     kernel::failed(found.entity->callback_name, kernel::current_exception_text());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
 #include <memory>
 #include <stdexcept>
@@ -31,6 +32,17 @@ constexpr int LOOKS_AT_ONE_INSTANT = 500;
 constexpr int CALLBACKS_AT_ONE_INSTANT = 20'000;
 constexpr int WAITS_AT_THE_END = 1'000;
 constexpr Nanos MILLISECOND = 1'000'000;
+constexpr std::size_t SHARED_SIZE = 512;
+
+/// Memory that this process shares with the one that was forked from it; null if there is none.
+char * shared_page()
+{
+  static char * const page = [] {
+      void * mapped = mmap(nullptr, SHARED_SIZE, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+      return mapped == MAP_FAILED ? nullptr : static_cast<char *>(mapped);
+    }();
+  return page;
+}
 
 // The exceptions that a thread handles belong to it (Itanium C++ ABI, 2.2.2).
 struct Exceptions
@@ -153,6 +165,22 @@ bool ending() {return ending_;}
 bool in_fiber() {return current_ != nullptr;}
 std::uint64_t current_number() {return current_ == nullptr ? 0 : current_->number;}
 const std::string & failure() {return failure_;}
+
+void running(const std::string & what)
+{
+  if (char * page = shared_page()) {
+    const std::size_t size = std::min(what.size(), SHARED_SIZE - 1);
+    std::memcpy(page, what.data(), size);
+    page[size] = 0;
+  }
+}
+
+const char * running()
+{
+  const char * page = shared_page();
+  return page == nullptr ? "" : page;
+}
+
 bool looked_too_often() {return looked_too_often_;}
 bool called_back_too_often() {return called_too_often_;}
 void set_now(Nanos time) {time_ = std::max(time_, time);}

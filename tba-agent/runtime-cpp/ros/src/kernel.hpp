@@ -16,6 +16,8 @@ void advance_to(Nanos time);
 void end();
 /// `where`, a tab and `what` of the first failure; empty if there is none.
 const std::string & failure();
+/// What the node does, also for the process that waits for this one; empty between callbacks.
+const char * running();
 bool looked_too_often();
 bool called_back_too_often();
 

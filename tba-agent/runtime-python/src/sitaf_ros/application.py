@@ -137,6 +137,10 @@ class RosApplication:
     def save_coverage(self) -> None:
         """Do nothing: coverage.py records modules."""
 
+    def running(self) -> str:
+        """Return what the node did when the last forked process ended; empty if it is not known."""
+        return ""
+
     def run_case(self, action: Callable[[], None], give_up: Callable[[], None]) -> None:
         """Run the driver's side of a case, which drives the nodes; `give_up` ends the process if they do not end."""
         del give_up

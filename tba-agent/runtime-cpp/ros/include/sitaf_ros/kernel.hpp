@@ -41,6 +41,8 @@ void wake(const void * address, bool all = true);
 void sleep_until(Nanos time);
 /// Counts callbacks at one instant: endless ones take simulated time.
 void count_callback();
+/// Keeps what the node does now, which the process that waits for it can read after a crash.
+void running(const std::string & what);
 
 /// Keeps the first failure of the node.
 void failed(const std::string & where, const std::string & what);

@@ -55,8 +55,13 @@ class CppApplication(RosApplication):
             os.environ[f"SITAF_SHARE_{name}"] = str(folder)
         try:
             self._library = Library(Path(entry))
+            self._library.running()  # makes the memory that forked processes share
         except OSError as e:
             raise RosLoadError([f"the library of the node cannot be loaded: {e}"]) from e
+
+    def running(self) -> str:
+        """Return what the node did when the last forked process ended."""
+        return "" if self._library is None else self._library.running()
 
     def save_coverage(self) -> None:
         """Save which lines of the node this process has executed, if they are counted."""

@@ -58,6 +58,7 @@ class Library:
             ("respond", None, (i64, text, size)),
             ("call", i64, (text, text, text, size)),
             ("failure", text, ()),
+            ("running", text, ()),
             ("offers", ctypes.c_int, (text,)),
             ("report", text, ()),
             ("nodes", text, ()),
@@ -116,6 +117,10 @@ class Library:
     def failure(self) -> str:
         """Return the first failure of the node."""
         return self._lib.sitaf_ros_failure().decode(errors="replace")
+
+    def running(self) -> str:
+        """Return what the node does, or did in the last forked process: its memory is shared."""
+        return self._lib.sitaf_ros_running().decode(errors="replace")
 
     def offers(self, name: str) -> bool:
         """Tell whether a node offers a service."""

@@ -124,7 +124,7 @@ def _serve(plan: Plan, folder: Path, lines: Lines) -> None:
         if child == 0:
             _end_with(lambda case=case: _run_in(application, plan, lines, case["case"]))
         _, status = os.waitpid(child, 0)
-        lines.send({"ended": sanitizer_report.of(child) or _reason(status)})
+        lines.send({"ended": sanitizer_report.of(child) or _reason(status, application)})
 
 
 def _end_with(action: Callable[[], None]) -> None:
@@ -162,9 +162,10 @@ def _save_coverage() -> None:
         current.save()
 
 
-def _reason(status: int) -> str:
+def _reason(status: int, application: Any) -> str:
     if os.WIFSIGNALED(status):
-        return f"the process of the node was ended by the signal {signal.Signals(os.WTERMSIG(status)).name}"
+        name, place = signal.Signals(os.WTERMSIG(status)).name, application.running()
+        return f"the process of the node was ended by the signal {name}" + (f", in {place}" if place else "")
     code = os.waitstatus_to_exitcode(status)
     return f"the process of the node ended with exit code {code}" if code else ""
 
