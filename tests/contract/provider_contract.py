@@ -4,9 +4,10 @@ import os
 import subprocess
 import sys
 import tempfile
-import time
 from contextlib import contextmanager
 from pathlib import Path
+
+from sockets import await_listener
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
@@ -41,11 +42,7 @@ def running(command_of):
             command, stdout=subprocess.DEVNULL, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
         )
         try:
-            end = time.monotonic() + 60
-            while not path.exists():
-                assert process.poll() is None, f"{command} ended with exit code {process.returncode}"
-                assert time.monotonic() < end, f"{command} does not listen"
-                time.sleep(0.02)
+            await_listener(path, process)
             yield process, f"unix:{path}"
         finally:
             process.terminate()

@@ -9,11 +9,11 @@ import shlex
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from sockets import await_listener
 
 yaml = pytest.importorskip("yaml", reason="PyYAML is missing")
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -38,7 +38,12 @@ PLACES = {
     "sequences-1-xml": ("ir-sensor-states", "LifeCycle.xml", "<test_model>.*</test_model>", "{1}"),
     "sequences-2-xml": ("collision-guard", "Watching.xml", '<call name="Check" .*?</call>', "{1}"),
     "test-values-1-xml": ("wrist-kinematics", "Reach.xml", "<test_element.*?</test_element>", "{1}"),
-    "test-values-2-xml": ("speed-profile", "Duration.xml", "<user_value_list><value>0.5</value><value>1.3</value></user_value_list>", "{1}"),
+    "test-values-2-xml": (
+        "speed-profile",
+        "Duration.xml",
+        "<user_value_list><value>0.5</value><value>1.3</value></user_value_list>",
+        "{1}",
+    ),
     "timing-1-yaml": ("median-filter", "activity.yaml", "timing:.*?\n", "{1}\n"),
     "timing-2-xml": ("angle-normalisation", "Normalise.xml", "<order_of_combinations>", "{1}{0}"),
     "trajectory-conditions-1-xml": ("wall-approach", "Approach.xml", "<order_of_combinations>", "{1}{0}"),
@@ -95,7 +100,9 @@ def inserted(name, folder):
             # That of the example uses states which the document does not have.
             text = text.replace(f"<{left_out}>...</{left_out}>", RETURN)
             continue
-        whole = re.search(rf"<{left_out}>(?:(?!<{left_out}>).)*?</{left_out}>(?=(?:(?!<call).)*</call>)", model, re.DOTALL)
+        whole = re.search(
+            rf"<{left_out}>(?:(?!<{left_out}>).)*?</{left_out}>(?=(?:(?!<call).)*</call>)", model, re.DOTALL
+        )
         text = text.replace(f"<{left_out}>...</{left_out}>", whole[0], 1)
     (copy / file).write_text(model[: found.start()] + how.format(found[0], text) + model[found.end() :])
     return copy
@@ -139,12 +146,18 @@ def test_a_pipeline_tests_an_activity_and_compares_it_with_its_base(name, comman
     git("add", ".")
     git("commit", "-q", "-m", "The base")
     base = git("rev-parse", "HEAD")
-    places = {"$RUNNER_TEMP/sitaf": str(ROOT), "/opt/sitaf": str(ROOT), "${{ github.event.pull_request.base.sha }}": base}
+    places = {
+        "$RUNNER_TEMP/sitaf": str(ROOT),
+        "/opt/sitaf": str(ROOT),
+        "${{ github.event.pull_request.base.sha }}": base,
+    }
     for command in commands:
         for place, there in places.items():
             command = command.replace(place, there)
         env = {**os.environ, "SITAF": str(ROOT), "CI_MERGE_REQUEST_DIFF_BASE_SHA": base}
-        ran = subprocess.run(["bash", "-ec", command], cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+        ran = subprocess.run(
+            ["bash", "-ec", command], cwd=tmp_path, env=env, capture_output=True, text=True, check=False
+        )
         assert ran.returncode == 0, ran.stdout + ran.stderr
         if " compare " in command:
             assert "no differences" in ran.stdout, ran.stdout
@@ -173,10 +186,7 @@ def test_the_provider_of_the_reference_passes_the_contract(tmp_path):
     env = {**os.environ, "PYTHONPATH": str(ROOT / "hardware" / "python")}
     provider = subprocess.Popen([sys.executable, program], env=env)
     try:
-        for _ in range(100):
-            if (tmp_path / "finger.sock").exists():
-                break
-            time.sleep(0.1)
+        await_listener(tmp_path / "finger.sock", provider)
         python, *arguments = shlex.split(snippet("hardware-4-sh"))
         assert python == "python"
         ran = subprocess.run(

@@ -76,6 +76,9 @@ public final class NodeSources {
   private static final Pattern CPP_ALIAS =
       Pattern.compile(
           "\\busing\\s{1,20}(\\w{1,200})\\s{0,20}=\\s{0,20}(?:::)?(\\w{1,200}::(?:msg|srv|action)::\\w{1,200})\\s{0,20};");
+  private static final Pattern CPP_USING =
+      Pattern.compile(
+          "\\busing\\s{1,20}(?:::)?(\\w{1,200}::(?:msg|srv|action)::(\\w{1,200}))\\s{0,20};");
   private static final Pattern CPP_TYPE =
       Pattern.compile("(?:::)?(\\w+)::(?:msg|srv|action)::([A-Z]\\w*)");
   private static final Pattern CPP_PACKAGE =
@@ -210,6 +213,10 @@ public final class NodeSources {
     Matcher alias = CPP_ALIAS.matcher(text);
     while (alias.find()) {
       aliases.put(alias.group(1), alias.group(2));
+    }
+    Matcher declared = CPP_USING.matcher(text);
+    while (declared.find()) {
+      aliases.put(declared.group(2), declared.group(1));
     }
     Matcher used = CPP_PACKAGE.matcher(text);
     while (used.find()) {

@@ -236,13 +236,14 @@ class NewNodeActivityTest {
         #include <rclcpp/rclcpp.hpp>
         #include <rclcpp_action/rclcpp_action.hpp>
         using Turn = demo::action::Turn;
+        using std_msgs::msg::Float64;
         namespace follower {
         class Follower : public rclcpp::Node {
           explicit Follower(const rclcpp::NodeOptions& o) : Node("follower", o) {
             declare_parameter<double>("max_speed", 1.0);
             imu_ = std::make_shared<message_filters::Subscriber<std_msgs::msg::Float64>>(node, "imu");
             limit_.subscribe(this, "limit", rmw_qos_profile_default);
-            pub_ = create_publisher<std_msgs::msg::Float64>("cmd", 10);
+            pub_ = create_publisher<Float64>("cmd", 10);
             server_ = rclcpp_action::create_server<Turn>(
                 get_node_base_interface(), get_node_clock_interface(),
                 get_node_logging_interface(), get_node_waitables_interface(), "turn", a, b, c);
