@@ -1,4 +1,4 @@
-"""What a user is told of a case, and the stamps of what the test publishes."""
+"""Notes about a case, and the stamps of messages that the test publishes."""
 
 import pytest
 

@@ -112,7 +112,7 @@ def _info_parameter(callback: Any) -> str:
         parameters = inspect.signature(callback).parameters.values()
     except (TypeError, ValueError):
         return ""  # a built-in function without a signature
-    return next((p.name for p in parameters if p.annotation in (TimerInfo, "TimerInfo")), "")
+    return next((p.name for p in parameters if p.annotation is TimerInfo), "")
 
 
 class Rate:

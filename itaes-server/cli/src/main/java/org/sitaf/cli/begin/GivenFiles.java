@@ -1,17 +1,15 @@
 package org.sitaf.cli.begin;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
+import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -83,27 +81,33 @@ final class GivenFiles {
           continue;
         }
         String name = sibling.getFileName() + "/";
-        files.put(name + MANIFEST, UserFiles.file(sibling.resolve(MANIFEST)));
+        files.put(name + MANIFEST, new byte[0]);
         for (String kind : NodeChoice.INTERFACE_FOLDERS) {
           Predicate<String> wanted = path -> path.endsWith("." + kind);
           add(sibling.resolve(kind), name + kind + "/", wanted, files);
         }
       }
     }
-    Set<String> seen = new HashSet<>();
-    Deque<String> open = new ArrayDeque<>(NodePackage.dependenciesIn(manifest));
-    while (!open.isEmpty()) {
-      String name = open.remove();
-      Path sibling = above.resolve(name);
-      if (seen.add(name) && Files.isRegularFile(sibling.resolve(MANIFEST))) {
-        FileTree sources = UserFiles.folder(sibling);
-        sources.paths().stream()
-            .filter(path -> path.endsWith(".py"))
-            .forEach(path -> files.put(name + "/" + path, sources.content(path).orElseThrow()));
-        open.addAll(NodePackage.dependenciesIn(sources.text(MANIFEST).orElse("")));
-      }
+    for (String name : NodePackage.dependencies(manifest, name -> pythonManifest(above, name))) {
+      // Only the module: meshes and recordings next to it may be large.
+      FileTree module = UserFiles.folder(above.resolve(name).resolve(name));
+      module.paths().stream()
+          .filter(path -> path.endsWith(".py"))
+          .forEach(
+              path ->
+                  files.put(name + "/" + name + "/" + path, module.content(path).orElseThrow()));
+      files.put(name + "/" + MANIFEST, UserFiles.file(above.resolve(name).resolve(MANIFEST)));
     }
     return FileTree.of(files);
+  }
+
+  /** The package.xml of a package in Python. */
+  private static Optional<String> pythonManifest(Path above, String name) {
+    Path manifest = above.resolve(name).resolve(MANIFEST);
+    return Files.isRegularFile(manifest)
+            && Files.isRegularFile(above.resolve(name).resolve(name).resolve("__init__.py"))
+        ? Optional.of(new String(UserFiles.file(manifest), StandardCharsets.UTF_8))
+        : Optional.empty();
   }
 
   private static void add(

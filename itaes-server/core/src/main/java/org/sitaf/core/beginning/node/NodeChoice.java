@@ -1,12 +1,11 @@
 package org.sitaf.core.beginning.node;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
@@ -57,22 +56,17 @@ public record NodeChoice(NodePackage chosen, FileTree siblings) {
 
   private static void addDependencies(
       NodePackage chosen, FileTree parent, Map<String, byte[]> siblings) {
-    Set<String> seen = new HashSet<>(Set.of(chosen.name()));
-    Deque<String> open = new ArrayDeque<>(NodePackage.dependenciesIn(chosen.text(MANIFEST)));
-    while (!open.isEmpty()) {
-      String name = open.remove();
-      String manifest = name + "/" + MANIFEST;
+    Function<String, Optional<String>> manifestOf =
+        name ->
+            name.equals(chosen.name()) || !parent.contains(name + "/" + name + "/__init__.py")
+                ? Optional.empty()
+                : parent.text(name + "/" + MANIFEST);
+    for (String name : NodePackage.dependencies(chosen.text(MANIFEST), manifestOf)) {
       FileTree files = parent.below(name);
-      if (!seen.add(name)
-          || !parent.contains(manifest)
-          || files.paths().stream().noneMatch(path -> path.endsWith("/__init__.py"))) {
-        continue;
-      }
       files.paths().stream()
           .filter(NodeChoice::isSource)
           .filter(path -> path.endsWith(".py") || path.equals(MANIFEST))
           .forEach(path -> siblings.put(name + "/" + path, files.content(path).orElseThrow()));
-      open.addAll(NodePackage.dependenciesIn(parent.text(manifest).orElseThrow()));
     }
   }
 

@@ -1,9 +1,13 @@
 package org.sitaf.core.beginning.node;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -70,14 +74,29 @@ public record NodePackage(String name, boolean isCpp, FileTree files) {
     return name.find() ? Optional.of(name.group(1)) : Optional.empty();
   }
 
-  /** The packages on which one depends when it runs, as its {@code package.xml} names them. */
-  public static Set<String> dependenciesIn(String manifest) {
-    Set<String> names = new TreeSet<>();
-    Matcher dependency = DEPENDENCY.matcher(manifest);
-    while (dependency.find()) {
-      names.add(dependency.group(1));
+  /**
+   * The packages on which one depends when it runs, also by way of others.
+   *
+   * @param manifest its {@code package.xml}
+   * @param manifestOf the {@code package.xml} of a package; empty for one that is left out
+   */
+  public static Set<String> dependencies(
+      String manifest, Function<String, Optional<String>> manifestOf) {
+    Set<String> seen = new HashSet<>();
+    Set<String> found = new TreeSet<>();
+    Deque<String> open = new ArrayDeque<>(List.of(manifest));
+    while (!open.isEmpty()) {
+      Matcher dependency = DEPENDENCY.matcher(open.remove());
+      while (dependency.find()) {
+        String name = dependency.group(1);
+        Optional<String> next = seen.add(name) ? manifestOf.apply(name) : Optional.empty();
+        if (next.isPresent()) {
+          found.add(name);
+          open.add(next.get());
+        }
+      }
     }
-    return names;
+    return found;
   }
 
   private static boolean uses(FileTree files, boolean isCpp, String library) {
