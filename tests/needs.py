@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -36,4 +37,7 @@ cmake = unless(shutil.which("cmake") and installed(*CPP, "eigen3"), "needs ./sit
 clang = unless(shutil.which("clang++"), "needs clang++")
 gdb = unless(shutil.which("gdb") and installed(*CPP), "needs ./sitaf doctor --install cpp, and gdb")
 socat = unless(shutil.which("socat"), "needs socat, the cable of the serial range finder")
+postgresql = unless(
+    shutil.which("pg_dump") and Path("/usr/lib/postgresql").is_dir(), "needs the packages postgresql and postgresql-client"
+)
 sandbox = unless(shutil.which("bwrap"), "needs bubblewrap")

@@ -6,10 +6,11 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from snippets import ROOT, sessions, words
 
-ROOT = Path(__file__).resolve().parents[1]
-BLOCK = re.compile(r"^```(?P<language>\w+)(?: title=\"(?P<title>[^\"]+)\")?\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
-EXIT = re.compile(r"\[exit (\d+)\]")
+BLOCK = re.compile(
+    r"^```(?P<language>\w+)(?: title=\"(?P<title>[^\"]+)\")?\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL
+)
 LIMIT_S = 300
 TUTORIALS = sorted((ROOT / "docs" / "tutorial").glob("*.md"))
 # Keys of activity.yaml, as its readers list them.
@@ -18,19 +19,6 @@ READERS = {
     "CppBuildReader.java": ("ENTRIES",),
     "ros/RosNodeReader.java": ("COMPONENT_ENTRIES",),
 }
-
-
-def sessions(text):
-    """The commands of a console block with their expected exit code and lines of output."""
-    for part in re.split(r"^\$ ", text, flags=re.MULTILINE)[1:]:
-        command, *lines = part.splitlines()
-        codes = [int(found[1]) for line in lines if (found := EXIT.fullmatch(line.strip()))]
-        expected = [line for line in lines if line.strip() not in ("", "...") and not EXIT.fullmatch(line.strip())]
-        yield command, codes[0] if codes else 0, expected
-
-
-def words(line):
-    return " ".join(line.split())
 
 
 @pytest.mark.parametrize("page", TUTORIALS, ids=lambda page: page.stem)
@@ -81,4 +69,6 @@ def test_the_book_is_built_without_warnings(sitaf):
     assert len(pages) > 25
     for path in pages:
         text = (site / path).read_text()
-        assert not re.search(r'(?:src|href)="(?:https?:)?//[^"]*\.(?:js|css|woff2?)', text), f"{path} loads files from elsewhere"
+        assert not re.search(r'(?:src|href)="(?:https?:)?//[^"]*\.(?:js|css|woff2?)', text), (
+            f"{path} loads files from elsewhere"
+        )

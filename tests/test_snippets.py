@@ -1,7 +1,6 @@
 """Every snippet of the documents is valid: the names that it uses exist in the readers, schemas and interfaces.
 
-The tutorials' snippets are run by test_book.py, the table of expressions by ExpressionVectorsTest, commands and fragments of
-activities by e2e/test_documented.py.
+Whether it is valid alone: each one is run, too, by the test that names it.
 """
 
 import ast
@@ -10,33 +9,19 @@ import json
 import re
 import shlex
 import subprocess
-from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from snippets import ROOT, SNIPPETS
 
 yaml = pytest.importorskip("yaml", reason="PyYAML is missing")
 
-ROOT = Path(__file__).resolve().parents[1]
-BLOCK = re.compile(r"^ *```(?P<language>\w*)[^\n]*\n(?P<text>.*?)^ *```", re.MULTILINE | re.DOTALL)
 READERS = ROOT / "itaes-server" / "core" / "src" / "main" / "java"
 SCHEMAS = ROOT / "schemas" / "src" / "main" / "resources"
 # Files of other programs, and the lock file.
 NOT_OF_AN_ACTIVITY = {"continuous-integration.md", "packages.md"}
 SERVER = "https://sitaf.example"
 PLACEHOLDERS = re.compile(r"^(ID|NUMBER|COMMIT|BUILD|\d+)$")
-
-
-def snippets():
-    """Each snippet with the name of its page, its number there, and its language."""
-    pages = [p for p in sorted((ROOT / "docs").rglob("*.md")) if "tutorial" not in p.parts]
-    for page in [*pages, ROOT / "README.md"]:
-        for number, block in enumerate(BLOCK.finditer(page.read_text()), 1):
-            name = f"{page.stem}-{number}-{block['language'] or 'output'}"
-            yield pytest.param(page.name, block["language"], block["text"], id=name)
-
-
-SNIPPETS = list(snippets())
 
 
 @functools.cache
@@ -130,19 +115,26 @@ CHECKS = {
 }
 
 
-@pytest.mark.parametrize(("page", "language", "text"), SNIPPETS)
-def test_a_snippet_is_valid(page, language, text):
-    if language in CHECKS:
-        CHECKS[language](page, text)
-    elif language == "":
+@pytest.mark.parametrize("snippet", SNIPPETS, ids=lambda snippet: snippet.name)
+def test_a_snippet_is_valid(snippet):
+    if snippet.language in CHECKS:
+        CHECKS[snippet.language](snippet.page, snippet.text)
+    elif snippet.language == "":
         # What a terminal shows, or a command: test_documents.py knows the commands.
-        assert text.strip()
+        assert snippet.text.strip()
     else:
-        assert language in ("groovy", "text", "idl"), f"{language}: no test reads this language"
+        assert snippet.language in ("groovy", "text", "idl"), f"{snippet.language}: no test reads this language"
 
 
-def test_the_documents_have_snippets_of_each_language(capsys):
-    counts = {language: sum(s.values[1] == language for s in SNIPPETS) for language in CHECKS}
+def test_each_snippet_is_run(capsys):
+    """Commands with their output are run by e2e/test_documented.py; the others are named by the test that runs them."""
+    tests = [
+        *(ROOT / "tests").rglob("test_*.py"),
+        *(ROOT / "itaes-server" / "core" / "src" / "test").rglob("*Test.java"),
+    ]
+    named = "".join(p.read_text() for p in tests)
+    counts = {language: sum(s.language == language for s in SNIPPETS) for language in CHECKS}
     with capsys.disabled():
         print(f"\n{len(SNIPPETS)} snippets, of them {', '.join(f'{n} {name}' for name, n in counts.items())}")
     assert min(counts.values()) > 0
+    assert [s.name for s in SNIPPETS if not s.is_session and f'"{s.name}"' not in named] == []

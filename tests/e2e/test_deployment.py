@@ -1,14 +1,18 @@
 """The instructions of `docs/deployment.md` and `docs/security.md`: TLS and systemd units."""
 
 import re
+import shlex
 import shutil
 import ssl
 import subprocess
 
 import pytest
+from snippets import snippet
 from system import Api, Refused, agent, await_true, own_bridge, server
 
 TIMEOUT_S = 180
+# Of the server, and of an agent.
+COMMANDS = snippet("security-3-output").replace("\\\n", "").splitlines()
 
 
 def certificate(folder, name):
@@ -33,21 +37,24 @@ def certificates(tmp_path_factory):
 def secured(sitaf, certificates, tmp_path_factory):
     assert sitaf("bench").returncode == 0
     chain, key = certificates["sitaf"]
-    part = server(
-        tmp_path_factory.mktemp("secured"),
-        f"--spring.ssl.bundle.pem.web.keystore.certificate={chain}",
-        f"--spring.ssl.bundle.pem.web.keystore.private-key={key}",
-        "--server.ssl.bundle=web",
-        "--spring.grpc.server.ssl.bundle=web",
-    )
+    command, _ = COMMANDS
+    # Tests listen on loopback only.
+    for shown, here in {"/etc/sitaf/chain.pem": chain, "/etc/sitaf/key.pem": key, "0.0.0.0": "127.0.0.1"}.items():
+        assert shown in command
+        command = command.replace(shown, str(here))
+    program, name, *options = shlex.split(command)
+    assert (program, name) == ("./sitaf", "server")
+    part = server(tmp_path_factory.mktemp("secured"), *options)
     part.api = Api(part.http, ssl.create_default_context(cafile=chain))
     with part:
         yield part
 
 
 def test_an_agent_builds_for_a_server_that_it_trusts(secured, certificates, tmp_path):
-    options = ("--ca", str(certificates["sitaf"][0]), *own_bridge())
-    with agent(tmp_path, "trusting", secured.grpc, *options):
+    _, command = COMMANDS
+    words = shlex.split(command.replace("/etc/sitaf/ca.pem", str(certificates["sitaf"][0])), comments=True)
+    assert words[:4] == ["./sitaf", "agent", "--server", "sitaf.example:9090"]
+    with agent(tmp_path, "trusting", secured.grpc, *words[4:], *own_bridge()):
         build = secured.api.build(secured.api.suite())
         assert await_true(lambda: secured.api.state(build) == "DONE", TIMEOUT_S)
 

@@ -1,28 +1,20 @@
-"""The snippets of the documents are run: commands give the output that is shown, and fragments are parts of activities.
+"""The documents' commands give the output that is shown, and their fragments are parts of activities that run."""
 
-The tutorials are run by test_book.py. What is not run here is read by test_snippets.py.
-"""
-
+import json
 import os
 import re
 import shlex
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from sockets import await_listener
+from snippets import ROOT, SNIPPETS, expect_lines, is_part, sessions, snippet
 
 yaml = pytest.importorskip("yaml", reason="PyYAML is missing")
-sys.path.insert(0, str(Path(__file__).parents[1]))
-from test_book import sessions, words
-from test_snippets import ROOT, SNIPPETS
 
 EXAMPLES = ROOT / "examples"
-# Times of this machine.
-TIMES = re.compile(r"\d+\.\d{3}\b")
 # Sessions with a debugger, two simulators or a repository of their own.
 RUN_ELSEWHERE = {
     "compare-2-output": "test_compare_simulators.py",
@@ -30,6 +22,8 @@ RUN_ELSEWHERE = {
     "debugging-1-output": "test_debug.py",
     "debugging-2-output": "test_debug.py",
 }
+# The same command with --json.
+JSON = {"campaign-1-output": "campaign-2-json", "compare-1-output": "compare-3-json", "score-1-output": "score-4-json"}
 # Where a fragment of a document belongs: an example, its file, the place there, and how the fragment and the place are combined.
 PLACES = {
     "faults-1-xml": ("ir-sensor", "GetInfraredData.xml", "</input_spec_list>", "{1}{0}"),
@@ -53,16 +47,6 @@ RETURN = """<output_spec_list><test_element abstract_type="NUMERIC" real_type="d
 </test_element></output_spec_list>"""
 
 
-def snippet(name):
-    return next(s.values[2] for s in SNIPPETS if s.id == name)
-
-
-def of_sessions():
-    for s in SNIPPETS:
-        if s.values[2].startswith("$ ./sitaf "):
-            yield s.id
-
-
 def example(name, folder):
     """A copy of an example, below the folder as below the root."""
     place = folder / "examples" / name
@@ -70,20 +54,26 @@ def example(name, folder):
     return place
 
 
-@pytest.mark.parametrize("name", [name for name in of_sessions() if name not in RUN_ELSEWHERE])
+@pytest.mark.parametrize("name", [s.name for s in SNIPPETS if s.is_session and s.name not in RUN_ELSEWHERE])
 def test_a_command_prints_what_is_shown(sitaf, name, tmp_path):
-    for command, code, expected in sessions(snippet(name)):
-        words_of_it = shlex.split(command)[1:]
-        for argument in words_of_it:
+    for command, _, expected in sessions(snippet(name)):
+        arguments = shlex.split(command)[1:]
+        for argument in arguments:
             if argument.startswith("examples/"):
                 example(Path(argument).name, tmp_path)
-        ran = sitaf(*words_of_it, cwd=tmp_path)
-        print(ran.stdout, ran.stderr, ran.returncode)
-        shown = [TIMES.sub("#", words(line)) for line in ran.stdout.splitlines()]
-        for line in expected:
-            masked = TIMES.sub("#", words(line))
-            assert masked in shown, line
-            shown = shown[shown.index(masked) + 1 :]
+        file = tmp_path / "shown.json"
+        ran = sitaf(*arguments, *(["--json", file] if name in JSON else []), cwd=tmp_path)
+        print(ran.stderr, ran.returncode)
+        expect_lines(expected, ran.stdout)
+        if name in JSON:
+            assert is_part(json.loads(snippet(JSON[name])), json.loads(file.read_text())), file.read_text()
+
+
+def test_a_lock_has_what_is_shown(sitaf, tmp_path):
+    example("simple-pid", tmp_path)
+    assert sitaf("lock", "examples/simple-pid", cwd=tmp_path).returncode == 0
+    lock = yaml.safe_load((tmp_path / "examples" / "simple-pid" / "activity.lock").read_text())
+    assert is_part(yaml.safe_load(snippet("packages-2-yaml")), lock), lock
 
 
 def inserted(name, folder):
@@ -164,40 +154,3 @@ def test_a_pipeline_tests_an_activity_and_compares_it_with_its_base(name, comman
     assert len(commands) == (1 if name == "Jenkins" else 2)
     report = ElementTree.parse(tmp_path / "report.xml").getroot()
     assert len(list(report.iter("testcase"))) > 5
-
-
-BUS = """
-class Bus:
-    goal = 0.0
-    def position(self): return self.goal
-    def velocity(self): return 0.0
-    def torque(self): return 0.0
-    def move(self, goal): self.goal = goal
-    def hold(self): pass
-bus = Bus()
-"""
-
-
-def test_the_provider_of_the_reference_passes_the_contract(tmp_path):
-    address = "unix:/run/finger.sock"
-    here = f"unix:{tmp_path}/finger.sock"
-    program = tmp_path / "finger.py"
-    program.write_text(BUS + snippet("hardware-3-python").replace(address, here))
-    env = {**os.environ, "PYTHONPATH": str(ROOT / "hardware" / "python")}
-    provider = subprocess.Popen([sys.executable, program], env=env)
-    try:
-        await_listener(tmp_path / "finger.sock", provider)
-        python, *arguments = shlex.split(snippet("hardware-4-sh"))
-        assert python == "python"
-        ran = subprocess.run(
-            [sys.executable, *(here if a == address else a for a in arguments)],
-            cwd=ROOT,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert ran.returncode == 0, ran.stdout + ran.stderr
-        assert " passed" in ran.stdout
-    finally:
-        provider.terminate()
-        provider.wait()

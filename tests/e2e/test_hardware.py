@@ -13,6 +13,7 @@ from pathlib import Path
 import grpc
 import pytest
 from needs import socat
+from snippets import snippet
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "contract"))
 
@@ -66,7 +67,8 @@ def test_sensors_behind_a_provider_give_the_verdicts_of_simulated_ones(sitaf, ac
 
 
 def run_with(sitaf, tmp_path, name, address, **replaced):
-    """Run an example whose provider is at another address."""
+    """Run an example whose provider is at another address, as docs/hardware.md shows it."""
+    assert f"./sitaf run examples/{name.removesuffix('-faulty')}\n" in snippet("hardware-5-sh")
     folder = shutil.copytree(sitaf.root / "examples" / name, tmp_path / name)
     profile = folder / "activity.yaml"
     text = re.sub(r'"unix:/tmp/[^"]*"', f'"{address}"', profile.read_text())

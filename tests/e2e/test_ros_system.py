@@ -1,4 +1,4 @@
-"""Nodes that run with an installed ROS 2 (`--ros system`): verdicts as with the API that comes along."""
+"""Nodes that run with an installed ROS 2 (`--ros system`, "ros2-4-output"): verdicts as with the API that comes along."""
 
 import os
 import shutil

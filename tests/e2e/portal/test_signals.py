@@ -1,9 +1,11 @@
 """The signals of a case under its replay, with a real agent, a real simulation and a real browser."""
 
+import json
 import re
 from pathlib import Path
 
 import pytest
+from snippets import snippet
 
 from portal.browsing import PICTURES, ROOT, actual_of, expect, home_of, serious, zip_of
 
@@ -69,6 +71,21 @@ def test_a_violated_condition_links_to_its_moment(page, build):
     time.press("ArrowLeft")
     assert signals(page) == {"bumped": "0"}
     close_up(plot, "signals")
+
+
+def form_of(value):
+    """What of a JSON value does not depend on the case: the keys, and the type of each leaf."""
+    if isinstance(value, dict):
+        return {key: form_of(child) for key, child in value.items()}
+    if isinstance(value, list):
+        return [form_of(value[0])]
+    return float if isinstance(value, int | float) else type(value)
+
+
+def test_the_signals_have_the_form_that_is_documented(page, build):
+    path = build.replace("/builds/", "/api/v1/builds/")
+    found = page.request.get(f"{path}/cases/1/signals").json()
+    assert form_of(found) == form_of(json.loads(snippet("trajectory-conditions-3-json")))
 
 
 def test_a_click_in_the_plot_moves_the_replay(page, build):

@@ -92,6 +92,7 @@ class ExpressionVectorsTest {
 
   /** The examples of the documentation. */
   static List<String> documented() throws IOException {
+    // The snippet "expressions-1-text".
     String text = Files.readString(Path.of("../../docs/expressions.md"));
     String begin = "```text title=\"Examples of functions\"\n";
     int from = text.indexOf(begin) + begin.length();
