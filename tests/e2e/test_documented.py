@@ -23,7 +23,11 @@ RUN_ELSEWHERE = {
     "debugging-2-output": "test_debug.py",
 }
 # The same command with --json.
-JSON = {"campaign-1-output": "campaign-2-json", "compare-1-output": "compare-3-json", "score-1-output": "score-4-json"}
+JSON = {
+    "campaign-1-output": "campaign-2-json",
+    "compare-1-output": "compare-3-json",
+    "score-1-output": "score-4-output",
+}
 # Where a fragment of a document belongs: an example, its file, the place there, and how the fragment and the place are combined.
 PLACES = {
     "faults-1-xml": ("ir-sensor", "GetInfraredData.xml", "</input_spec_list>", "{1}{0}"),

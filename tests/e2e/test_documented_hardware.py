@@ -19,7 +19,7 @@ pytest.importorskip("sitaf_hardware.wire", reason="pip install ./hardware/python
 
 DEVICES = """
 devices:
-  ir1: {kind: range, site: lidar, min: 0.05, max: 6}
+  ir1: {kind: range, sensor: ir1, min: 0.05, max: 6}
   base: {kind: differential_drive, left: left_motor, right: right_motor, wheel_radius: 0.06, track: 0.32}
   imu: {kind: imu, site: imu}
   arm: {kind: joint_encoder, joint: left_wheel}
@@ -41,18 +41,25 @@ class Robot:
 MODEL = """<test_model><name>Look</name><target interface="Robot" method="Look"/><input_spec_list/>
 <output_spec_list><test_element abstract_type="NUMERIC" real_type="double"><name>return</name><type>RETURN</type>
 <expected>9.5</expected></test_element></output_spec_list><order_of_combinations>1</order_of_combinations></test_model>"""
-COLUMNS = [f"{kind}.{axis}" for kind in ("angular_velocity", "linear_acceleration") for axis in "xyz"]
+COLUMNS = [f"orientation.{axis}" for axis in "xyzw"]
+COLUMNS += [f"{kind}.{axis}" for kind in ("angular_velocity", "linear_acceleration") for axis in "xyz"]
 
 
 def activity(folder, hardware):
     world = folder / "world"
     shutil.copytree(ROOT / "examples" / "wall-distance" / "world", world)
+    scene = (world / "maze.xml").read_text()
+    scene = scene.replace(
+        '<site name="imu"', '<site name="ir1" pos="0.18 0 0.1" zaxis="1 0 0"/>\n      <site name="imu"'
+    )
+    scene = scene.replace("</mujoco>", '  <sensor>\n    <rangefinder name="ir1" site="ir1"/>\n  </sensor>\n</mujoco>')
+    (world / "maze.xml").write_text(scene)
     (world / "maze.world.yaml").write_text("mjcf: maze.xml\n" + DEVICES)
     (folder / "component").mkdir()
     (folder / "component" / "robot.py").write_text(COMPONENT)
     (folder / "robot.idl").write_text("interface Robot { double Look(); };\n")
     (folder / "Look.xml").write_text(MODEL)
-    (folder / "imu.csv").write_text(f"t,{','.join(COLUMNS)}\n0,0,0,0,0,0,9.5\n")
+    (folder / "imu.csv").write_text(f"t,{','.join(COLUMNS)}\n0,0,0,0,1,0,0,0,0,0,9.5\n")
     (folder / "activity.yaml").write_text(
         "name: backends\ncomponent: {language: python, sources: component/, class: robot.Robot}\n"
         "provided: [robot.idl]\nworld: world/maze.world.yaml\nmodels: [Look.xml]\nlimits: {jitter_ms: 5000}\n"
@@ -81,16 +88,17 @@ def test_an_activity_has_devices_of_all_kinds(sitaf, tmp_path):
             if run.returncode == 0:
                 break
     assert run.returncode == 0, run.stdout + run.stderr
-    assert "devices: arm: " in run.stdout, run.stdout
+    devices = "devices: ir1: a real device, imu: a recording, arm: a real device as shadow;"
+    assert devices in run.stdout, run.stdout
 
 
 def test_the_package_of_providers_is_installed(tmp_path):
     command = shlex.split(snippet("hardware-2-sh"), comments=True)
     assert command[:2] == ["pip", "install"]
-    # The packages that it requires are those of this environment.
-    settings = {"PIP_TARGET": str(tmp_path), "PIP_NO_DEPS": "1", "PIP_QUIET": "1"}
-    subprocess.run([sys.executable, "-m", *command], cwd=ROOT, env={**os.environ, **settings}, check=True)
-    assert (tmp_path / "sitaf_hardware" / "__init__.py").is_file()
+    subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True)
+    programs = tmp_path / "venv" / "bin"
+    subprocess.run([programs / command[0], *command[1:], "--quiet"], cwd=ROOT, check=True)
+    subprocess.run([programs / "python", "-c", "from sitaf_hardware import Device, Limits, serve"], check=True)
 
 
 BUS = """

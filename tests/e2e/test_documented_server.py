@@ -46,7 +46,7 @@ class Repository:
 
     def __init__(self, folder):
         self.folder = folder
-        folder.mkdir()
+        folder.mkdir(parents=True)
         self.git("init", "-q", "-b", "main")
         shutil.copytree(EXAMPLE, folder / "infrared")
         self.first = self.commit("Add the sensor")
@@ -78,7 +78,7 @@ def installed(sitaf):
 
 @pytest.fixture(scope="module")
 def repository(tmp_path_factory):
-    return Repository(tmp_path_factory.mktemp("git") / "sensors")
+    return Repository(tmp_path_factory.mktemp("git") / PROJECT)
 
 
 @pytest.fixture(scope="module")
@@ -87,9 +87,10 @@ def central(installed, repository, tmp_path_factory):
     folder = tmp_path_factory.mktemp("central")
     part = server(
         folder,
-        f"--sitaf.git.file-folders={repository.folder.parent}",
+        f"--sitaf.git.file-folders={repository.folder.parents[1]}",
         "--sitaf.git.min-interval=1s",
         "--sitaf.retry-delay=200ms",
+        "--sitaf.webhooks.allowed-hosts=bot.example.org",
     )
     assignment, *command = shlex.split(snippet("security-2-output"))
     assert assignment.startswith("SITAF_ENROLMENT_TOKEN=")
@@ -141,11 +142,16 @@ def line(central, repository):
     return activity, bad, newest
 
 
-def test_an_activity_is_created_from_git(central, tmp_path):
-    created = request(central, snippet("git-1-console"), tmp_path)
+def test_an_activity_is_created_from_git(central, repository, tmp_path):
+    replaced = {
+        "https://github.com/robots/sensors.git": repository.folder.as_uri(),
+        # A folder has no credentials.
+        '"credential": "TOKEN", "secret": "github_pat_..."': '"credential": "NONE"',
+    }
+    created = request(central, snippet("git-1-console"), tmp_path, **replaced)
     source = central.api.get(f"/api/v1/activities/{created['id']}/git")
-    assert (source["url"], source["folder"]) == ("https://github.com/robots/sensors.git", "infrared")
-    assert "github_pat_" not in json.dumps([created, source])
+    assert (source["branch"], source["folder"]) == ("main", "infrared")
+    assert await_true(lambda: commits(central, created["id"]), LIMIT_S)
     central.api.call("DELETE", f"/api/v1/activities/{created['id']}")
 
 

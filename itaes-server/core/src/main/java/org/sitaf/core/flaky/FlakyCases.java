@@ -1,5 +1,7 @@
 package org.sitaf.core.flaky;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -27,6 +29,8 @@ public final class FlakyCases {
    * share of the limit otherwise. A faster one hangs.
    */
   private static final double SLOW_SHARE = 0.05;
+
+  private static final int NANO_DIGITS = 9;
 
   private final double limitSeconds;
   private final Map<Integer, List<CaseDigest>> runs = new TreeMap<>();
@@ -157,10 +161,8 @@ public final class FlakyCases {
           no,
           FlakyCause.SIMULATOR,
           verdicts,
-          String.format(
-              Locale.ROOT,
-              "its states differ from %.6g s on, with equal commands before; please report this",
-              one.seconds(states.getAsInt())));
+          "its states differ from %s s on, with equal commands before; please report this"
+              .formatted(shown(one.seconds(states.getAsInt()))));
     }
     return new FlakyCase(
         no,
@@ -168,9 +170,15 @@ public final class FlakyCases {
         verdicts,
         commands.isEmpty()
             ? "its readings are equal, and what it returns differs"
-            : String.format(
-                Locale.ROOT,
-                "its readings are equal until it gives other commands at %.6g s",
-                one.seconds(commands.getAsInt())));
+            : "its readings are equal until it gives other commands at %s s"
+                .formatted(shown(one.seconds(commands.getAsInt()))));
+  }
+
+  /** A time of the simulation in full nanoseconds, without trailing zeros. */
+  private static String shown(double seconds) {
+    return BigDecimal.valueOf(seconds)
+        .setScale(NANO_DIGITS, RoundingMode.HALF_EVEN)
+        .stripTrailingZeros()
+        .toPlainString();
   }
 }

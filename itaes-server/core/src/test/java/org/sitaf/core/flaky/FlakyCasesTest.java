@@ -111,7 +111,7 @@ class FlakyCasesTest {
     assertThat(found().line())
         .isEqualTo(
             "case 1: PASS FAIL; the component: its readings are equal until it gives other commands"
-                + " at 0.00400000 s");
+                + " at 0.004 s");
   }
 
   @Test
@@ -119,7 +119,7 @@ class FlakyCasesTest {
     run(returned(Verdict.PASS, "1.0"), new double[] {0, 1, 1, 1}, new double[] {5, 5, 4, 3});
     run(returned(Verdict.FAIL, "2.0"), new double[] {0, 1, 1, 2}, new double[] {5, 5, 3, 1});
     assertThat(found().cause()).isEqualTo(FlakyCause.SIMULATOR);
-    assertThat(found().reason()).contains("from 0.00400000 s on");
+    assertThat(found().reason()).contains("from 0.004 s on");
   }
 
   @Test

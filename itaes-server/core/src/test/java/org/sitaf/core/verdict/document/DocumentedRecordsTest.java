@@ -37,8 +37,7 @@ class DocumentedRecordsTest {
     CaseRecord returned = CaseRecordLine.read(records().get(0));
     assertThat(returned.outcome()).isEqualTo(Outcome.RETURNED);
     assertThat(returned.actual())
-        .containsExactly(
-            new NamedValue("return", "3"), new NamedValue("pose", "{x: 1.0, y: 0.0}"));
+        .containsExactly(new NamedValue("return", "3"), new NamedValue("pose", "{x: 1.0, y: 0.0}"));
     assertThat(returned.calls().leftOut()).isEqualTo(12);
     CaseRecord thrown = CaseRecordLine.read(records().get(1));
     assertThat(thrown.outcome()).isEqualTo(Outcome.THREW);
@@ -47,7 +46,7 @@ class DocumentedRecordsTest {
 
   @Test
   void theRecordOfRepeatedCallsIsRead() throws IOException {
-    CaseRecord record = CaseRecordLine.read(records().get(2), new Timing(3, 1));
+    CaseRecord record = CaseRecordLine.read(records().get(2), new Timing(1, 3));
     assertThat(record.repeated().calls()).isEqualTo(3);
     assertThat(record.repeated().differs()).isEqualTo("call 4: return is 2, not 3");
   }
