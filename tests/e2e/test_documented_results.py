@@ -1,12 +1,12 @@
 """The excerpts of results in the documents have the form, and where they are of an example the values, of real ones."""
 
+import importlib.metadata
 import os
 import re
 import shlex
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -143,9 +143,11 @@ def test_a_test_application_knows_its_options(sitaf, tmp_path):
 
 def test_the_commands_of_the_readme_work(sitaf, tmp_path):
     """Those of "README-1-output" and "README-2-output" are run by test_demo.py, that of "README-4-output" by test_server.py."""
-    pytest.importorskip("example_robot_data", reason="pip install sim-bridge[robots]")
-    folders = [Path(p) for p in sys.path if p.endswith("site-packages")]
-    urdf = next(p for folder in folders for p in folder.rglob("ur_description/urdf/ur5_robot.urdf"))
+    try:
+        robots = importlib.metadata.distribution("example-robot-data")
+    except importlib.metadata.PackageNotFoundError:
+        pytest.skip("needs pip install sim-bridge[robots]")
+    urdf = robots.locate_file("cmeel.prefix/share/example-robot-data/robots/ur_description/urdf/ur5_robot.urdf")
     (tmp_path / "ur5e.urdf").symlink_to(urdf)
     (tmp_path / "Spin.action").write_text("float32 target_yaw\n---\nfloat32 total_elapsed_time\n---\nfloat32 angle\n")
     node = tmp_path / "ros_ws" / "src" / "my_package"

@@ -39,7 +39,7 @@ section "Simulation bridge: environment"
 set_up_bridge
 python=$state/venv/bin/python
 
-if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
+if ! $fast && ! "$python" -c 'import importlib.metadata as m; m.distribution("example-robot-data")' 2>/dev/null; then
   # The robots of examples/worlds: 131 MB, needed by tests only.
   "$python" -m pip install --quiet "$home/sim-bridge[robots]"
 fi
