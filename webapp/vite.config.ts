@@ -1,11 +1,12 @@
 import { fileURLToPath } from 'node:url';
 import react from '@vitejs/plugin-react';
 import { defineConfig } from 'vitest/config';
+import { brotli } from './scripts/brotli.mjs';
 import { examples } from './scripts/examples.mjs';
 import { shellFirst } from './scripts/shellFirst.mjs';
 
 export default defineConfig({
-  plugins: [react(), examples(), shellFirst()],
+  plugins: [react(), examples(), shellFirst(), brotli()],
   resolve: {
     alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) },
   },

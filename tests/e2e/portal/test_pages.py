@@ -219,3 +219,17 @@ def test_an_administrator_creates_a_token_and_a_viewer(page, browser):
         expect(visitor.get_by_text("Enroll an agent")).to_have_count(0)
     finally:
         other.close()
+
+
+def test_scripts_are_sent_as_the_build_compressed_them(page):
+    found = []
+    page.on("response", lambda response: found.append(response))
+    page.goto(home_of(page))
+    page.get_by_role("heading", name="Interface tests").wait_for()
+    scripts = [response for response in found if response.url.endswith(".js")]
+    assert scripts
+    assert {response.all_headers().get("content-encoding") for response in scripts} == {"br"}
+    # Others get the same content.
+    same = page.request.get(scripts[0].url, headers={"Accept-Encoding": "identity"})
+    assert "content-encoding" not in same.headers
+    assert same.body() == scripts[0].body()
