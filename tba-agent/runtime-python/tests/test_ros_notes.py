@@ -97,3 +97,24 @@ def test_a_parameter_of_a_timers_callback_is_an_error_unless_it_is_a_timer_info(
     )
     with pytest.raises(AssertionError, match=r"TypeError: .*missing 1 required positional argument: 'event'"):
         node(tmp_path, TIMER.replace("PARAMETER", "event"), script, entry="followed:main")
+
+
+ASKING = (
+    HEAD
+    + """
+class Probe(Node):
+    def __init__(self):
+        super().__init__('probe')
+        self.create_timer(0.1, lambda: input('Name: '))
+"""
+)
+
+
+@pytest.mark.parametrize(("lines", "warns"), [((), True), (("Ada",), False)])
+def test_a_node_that_waits_for_a_line_is_told_how_to_get_one(tmp_path, lines, warns):
+    def script(case):
+        case.run(1)
+        return case.system.report().warnings
+
+    warnings = node(tmp_path, ASKING, script, stdin=lines)
+    assert any("stdin in activity.yaml" in warning for warning in warnings) == warns

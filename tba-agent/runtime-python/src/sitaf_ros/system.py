@@ -272,4 +272,6 @@ class RosSystem(TestSide):
 
     def report(self) -> RosReport:
         """Return what the nodes did that nothing looked at."""
+        if self.stdin.lacks_lines:
+            self.unobserved.warn("the node waits for a line of standard input; stdin in activity.yaml can give it one")
         return self.unobserved.report(self.graph, self.threads.slowest_polls)

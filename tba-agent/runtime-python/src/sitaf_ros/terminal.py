@@ -18,6 +18,9 @@ class NodeInput(io.TextIOBase):
 
     def __init__(self, lines: Iterable[str]) -> None:
         self._lines = deque(lines)
+        self._is_without_lines = not self._lines
+        self.lacks_lines = False
+        """Whether the node waited for a line, and the activity names none."""
         self._fds: tuple[int, int] | None = None
         self._text = ""
 
@@ -64,6 +67,7 @@ class NodeInput(io.TextIOBase):
         threads = node_threads()
         if threads is not None:
             while not self._fed():
+                self.lacks_lines = self._is_without_lines
                 threads.wait(None, poll=self._fed)
         data = os.read(self.fileno(), 4096)
         if not data:
