@@ -228,8 +228,12 @@ def test_a_terminal_gives_the_lines_of_the_case(tmp_path):
     def script(case):
         got = case.heard("/keys", STRING)
         case.run(2)
-        return got
+        return got, case.system.report().warnings
 
-    got = node(tmp_path, KEYBOARD, script, entry="probe.cpp", stdin=["Ada", "two", "w"])
+    got, warnings = node(tmp_path, KEYBOARD, script, entry="probe.cpp", stdin=["Ada", "two", "w"])
+    assert warnings == ()
     assert [text for _, text in got] == ["name Ada", "line two\n", "key w", "select 0"]
     assert [time for time, _ in got] == pytest.approx([0, 0, 0, 0.5])
+    nothing, (warning,) = node(tmp_path, KEYBOARD, script, entry="probe.cpp")
+    assert nothing == []
+    assert "stdin in activity.yaml" in warning

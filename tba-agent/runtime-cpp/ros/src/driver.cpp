@@ -246,6 +246,9 @@ const char * sitaf_ros_report()
   if (kernel::looked_too_often()) {
     add("warnings", "a loop of the node never waits; each 500 looks at the clock or a queue count as 1 ms");
   }
+  if (sitaf_ros::lacks_input()) {
+    add("warnings", "the node waits for a line of standard input; stdin in activity.yaml can give it one");
+  }
   if (kernel::called_back_too_often()) {
     add("warnings", "more than 20000 callbacks at one instant");
   }

@@ -41,6 +41,9 @@ constexpr Nanos MILLI = 1'000'000;
 constexpr Nanos STEP = MILLI;
 
 std::deque<std::string> lines;
+// Whether the case has lines, and whether the node waited for one although it has none.
+bool given = false;
+bool lacking = false;
 int master = -1;
 FILE * input = nullptr;
 
@@ -79,6 +82,7 @@ bool wait_for_input(std::optional<Nanos> until)
     if (until && kernel::now() >= *until) {
       return false;
     }
+    lacking = lacking || (!given && !until);
     kernel::wait(nullptr, until);
   }
   return true;
@@ -138,7 +142,13 @@ int until_found(std::optional<Nanos> until, bool has_input, Look look)
 
 namespace sitaf_ros {
 
-void add_input(const std::string & line) {lines.push_back(line);}
+void add_input(const std::string & line)
+{
+  given = true;
+  lines.push_back(line);
+}
+
+bool lacks_input() {return lacking;}
 
 void begin_input()
 {
