@@ -92,8 +92,13 @@ public final class CaseOptions {
       boolean given =
           !arguments.isEmpty()
               && !arguments.peek().startsWith("-")
-              && !Files.isDirectory(Path.of(arguments.peek()));
+              && !isActivity(Path.of(arguments.peek()));
       option.setValue(Path.of(given ? arguments.pop() : ""));
+    }
+
+    /** A folder of results has no profile. */
+    private static boolean isActivity(Path path) {
+      return Files.isDirectory(path) && Files.isRegularFile(path.resolve("activity.yaml"));
     }
   }
 }

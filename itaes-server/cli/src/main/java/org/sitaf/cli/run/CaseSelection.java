@@ -1,6 +1,7 @@
 package org.sitaf.cli.run;
 
 import java.io.ByteArrayInputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -79,7 +80,7 @@ public record CaseSelection(CaseOptions options, LastResults last, Path activity
     }
     if (options.failed != null) {
       Optional<TestResult> result =
-          options.ofLastRun() ? last.of(activity, model) : Optional.of(given());
+          options.ofLastRun() ? last.of(activity, model) : Optional.of(given(model));
       if (result.isEmpty()) {
         throw InvalidInputException.of(
             "--failed", "there is no earlier run of " + model.name() + " on this machine");
@@ -89,9 +90,11 @@ public record CaseSelection(CaseOptions options, LastResults last, Path activity
     return selected;
   }
 
-  private TestResult given() {
-    String file = String.valueOf(options.failed);
-    return TestResultXml.read(new ByteArrayInputStream(UserFiles.file(Path.of(file))), file);
+  /** The given result; of a folder that {@code --result} wrote, the one of the model. */
+  private TestResult given(TestModel model) {
+    Path path = Path.of(String.valueOf(options.failed));
+    Path file = Files.isDirectory(path) ? path.resolve(model.name() + ".xml") : path;
+    return TestResultXml.read(new ByteArrayInputStream(UserFiles.file(file)), file.toString());
   }
 
   private TreeSet<Integer> failed(TestSuite suite, TestResult result) {

@@ -11,6 +11,7 @@ import java.io.OutputStream;
 import java.util.Set;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import java.util.regex.Pattern;
 import javax.xml.namespace.QName;
 import javax.xml.stream.Location;
 import javax.xml.stream.XMLInputFactory;
@@ -30,6 +31,10 @@ import org.sitaf.schemas.ObjectFactory;
 
 /** Reads and writes the paper's XML documents, using the classes generated from the schemas. */
 public final class XmlDocuments {
+  /** What the JDK's parser says of a character that begins markup or an entity. */
+  private static final Pattern UNESCAPED =
+      Pattern.compile("well-formed character data|entity name must immediately follow");
+
   /** Thread-safe. */
   private static final JAXBContext CONTEXT = context();
 
@@ -215,6 +220,9 @@ public final class XmlDocuments {
     // The JDK's parser prefixes its message with "ParseError at [row,col]:[..]\nMessage: ".
     String message =
         String.valueOf(e.getMessage()).replaceFirst("(?s)^ParseError at .*?Message: ", "");
+    if (UNESCAPED.matcher(message).find()) {
+      message += " In an expression, write &lt; for < and &amp;&amp; for &&.";
+    }
     return new InvalidInputException(
         java.util.List.of(
             Diagnostic.error(

@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
-import java.util.stream.Collectors;
 import org.sitaf.core.expression.type.Type;
 import org.sitaf.core.expression.type.TypeCheck;
 
@@ -70,11 +69,7 @@ public final class ExpressionCompiler {
       return Language.parse(text);
     } catch (CelValidationException e) {
       throw new IllegalArgumentException(
-          e.getErrors().stream()
-              .map(CelIssue::getMessage)
-              .distinct()
-              .collect(Collectors.joining("; ")),
-          e);
+          Messages.ofSyntax(text, e.getErrors().stream().map(CelIssue::getMessage).toList()), e);
     }
   }
 

@@ -3,8 +3,12 @@ package org.sitaf.core.trajectory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
+import java.util.regex.Pattern;
+import org.sitaf.core.diagnostic.NearestName;
+import org.sitaf.core.expression.type.TypeCheck;
 import org.sitaf.core.trajectory.Formula.Quantifier;
 import org.sitaf.core.trajectory.ParsedFormula.AtomText;
 import org.sitaf.core.trajectory.ParsedFormula.IntervalText;
@@ -19,6 +23,10 @@ final class FormulaParser {
   private static final int MAX_NESTING = 100;
   private static final int MAX_OPERATORS = 500;
   private static final Set<String> BINARY = Set.of("until", "since");
+
+  /** What follows an operator: its interval, and a parenthesis. */
+  private static final Pattern OPERAND = Pattern.compile("(\\[[^\\]]*\\]\\s*)?\\(");
+
   private static final Set<String> UNARY = Set.of("always", "eventually", "once", "historically");
 
   private final String text;
@@ -127,7 +135,20 @@ final class FormulaParser {
       return new Formula.Window(
           Quantifier.valueOf(word.toUpperCase(Locale.ROOT)), interval, parenthesized());
     }
+    if (!word.isEmpty() && OPERAND.matcher(text).region(after, text.length()).lookingAt()) {
+      requireFunction(word);
+    }
     return isGroup() ? parenthesized() : atom();
+  }
+
+  /** Rejects a name that is a misspelt operator rather than a function. */
+  private void requireFunction(String word) throws FormulaException {
+    List<String> known = new ArrayList<>(TypeCheck.functions());
+    known.addAll(UNARY);
+    Optional<String> nearest = NearestName.of(word, known).filter(UNARY::contains);
+    if (nearest.isPresent()) {
+      throw error(at, "unknown operator '" + word + "'; did you mean '" + nearest.get() + "'?");
+    }
   }
 
   private Formula parenthesized() throws FormulaException {

@@ -177,6 +177,9 @@ class ExpressionVectorsTest {
         "size(x) | 'x' is a double and has no size",
         "chicken + 1 | the definition 'chicken' is defined by itself: chicken → egg → chicken",
         "1 + | mismatched input",
+        "x > 1 and flag | write && for 'and'",
+        "x > 1 or flag | write || for 'or'",
+        "x = 1 | write == to compare",
       })
   void findsBeforeTheEvaluation(String text, String problem) {
     assertThatThrownBy(() -> compiler.compile(text))

@@ -75,6 +75,8 @@ class FormulaParserTest {
         "always(x) < 1 ; 1 ; 11 ; unexpected '<'",
         "(always(x) ? a : b) ; 1 ; 2 ; cannot be part of",
         "abs(once(x)) < 1 ; 1 ; 5 ; cannot be part of",
+        "allways(x < 1) ; 1 ; 1 ; unknown operator 'allways'; did you mean 'always'?",
+        "a && eventualy[0, 2] (x) ; 1 ; 6 ; did you mean 'eventually'?",
       })
   void saysWhereAFormulaIsWrong(String text, int line, int column, String message) {
     FormulaException error =

@@ -60,7 +60,9 @@ final class IdlInterfaces {
             place,
             "inherits from '"
                 + IdlScopes.text(base)
-                + "', which is not declared in any file; add the file that declares it");
+                + (types.isType(base, declared.qualified())
+                    ? "', which is no interface"
+                    : "', which is not declared in any file; add the file that declares it"));
       } else if (scopes.lineage(found.get()).contains(declared.qualified())) {
         findings.error(place, "inherits from itself");
       }

@@ -20,6 +20,7 @@ import org.sitaf.core.description.idl.InterfaceDefinitionParser.DimensionContext
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.EnumerationContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.MemberContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.NameContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.ScopedNameContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.StructContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.TypeDeclarationContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.TypeSpecContext;
@@ -107,6 +108,11 @@ final class IdlTypes {
   /** The place where a type is declared. */
   Optional<Place> place(String qualified) {
     return declared.place(qualified);
+  }
+
+  /** Whether a name in a scope is that of a type. */
+  boolean isType(ScopedNameContext name, String scope) {
+    return scopes.find(name, scope, declared::contains).isPresent();
   }
 
   /**

@@ -40,6 +40,14 @@ final class CallCheck {
   private static final List<String> MACROS =
       List.of("has", "all", "exists", "exists_one", "map", "filter");
 
+  /** The names of all functions that are not called behind a value. */
+  static List<String> functions() {
+    List<String> known = new ArrayList<>(Library.names());
+    known.addAll(new TreeSet<>(STANDARD.keySet()));
+    known.addAll(MACROS);
+    return known;
+  }
+
   private final TypeCheck check;
 
   CallCheck(TypeCheck check) {
@@ -267,10 +275,7 @@ final class CallCheck {
     }
     List<Signature> signatures = Library.signatures(name);
     if (signatures.isEmpty()) {
-      List<String> known = new ArrayList<>(Library.names());
-      known.addAll(new TreeSet<>(STANDARD.keySet()));
-      known.addAll(MACROS);
-      return check.error("unknown function '" + name + "'" + NearestName.hint(name, known));
+      return check.error("unknown function '" + name + "'" + NearestName.hint(name, functions()));
     }
     return library(node, call, types, signatures);
   }

@@ -174,6 +174,11 @@ public final class TypeCheck {
     return false;
   }
 
+  /** The names of all functions that are not called behind a value. */
+  public static List<String> functions() {
+    return CallCheck.functions();
+  }
+
   /** The name of a chain of members of a name, such as {@code pose.position.x}. */
   public static Optional<String> dotted(CelExpr node) {
     if (node.getKind() == CelExpr.ExprKind.Kind.IDENT) {

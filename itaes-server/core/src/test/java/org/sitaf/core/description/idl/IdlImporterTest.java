@@ -247,7 +247,7 @@ class IdlImporterTest {
                     """
                     struct S { long a; long a; };
                     struct S { long b; };
-                    interface A : Missing { void f(in S s, in S s); };
+                    interface A : Missing, S { void f(in S s, in S s); };
                     interface B : C { };
                     interface C : B { void g(in B b); };
                     valuetype V { public long x; };
@@ -257,6 +257,7 @@ class IdlImporterTest {
             "a.idl:6: warning: valuetype: is not part of an interface, ignored",
             "a.idl:3: error: interface A: inherits from 'Missing', which is not declared in any"
                 + " file; add the file that declares it",
+            "a.idl:3: error: interface A: inherits from 'S', which is no interface",
             "a.idl:1: error: struct S/a: two members have this name",
             "a.idl:3: error: method f/param s: two parameters have this name",
             "a.idl:4: error: interface B: inherits from itself",

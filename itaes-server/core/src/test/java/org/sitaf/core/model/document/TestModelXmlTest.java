@@ -9,6 +9,8 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.InputKind;
@@ -105,6 +107,14 @@ class TestModelXmlTest {
     assertThat(problems).hasSize(1);
     assertThat(problems.get(0).line()).isEqualTo(2);
     assertThat(problems.get(0).message()).startsWith("not well-formed XML");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"a < b", "a && b"})
+  void saysHowToWriteOperatorsInXml(String expression) {
+    assertThat(
+            problems("<test_model><name>" + expression + "</name></test_model>").get(0).message())
+        .endsWith("In an expression, write &lt; for < and &amp;&amp; for &&.");
   }
 
   @Test
