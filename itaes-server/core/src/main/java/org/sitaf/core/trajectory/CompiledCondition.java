@@ -97,16 +97,34 @@ final class CompiledCondition {
     }
     Evaluator evaluator = new Evaluator(values, trace.count(), trace.stepNanos());
     Robustness robustness = evaluator.evaluate(formula);
+    String unsampled = unsampled(trace);
     String violation =
         robustness.holds()
             ? ""
-            : violation(trace, columns, robustness.sample(), evaluator.decidingAtom(formula));
+            : unsampled.isEmpty()
+                ? violation(trace, columns, robustness.sample(), evaluator.decidingAtom(formula))
+                : unsampled;
     return new TrajectoryOutcome(
         condition.name(),
         robustness.holds(),
         robustness.margin(),
         trace.nanos(robustness.sample()),
-        violation);
+        violation,
+        robustness.holds() ? unsampled : "");
+  }
+
+  /** Says that the case ends before the interval of the condition begins; else empty. */
+  private String unsampled(Trace trace) {
+    double begin = formula.span().from();
+    double end = trace.seconds(trace.count() - 1) - (condition.fromSettle() ? trace.seconds(0) : 0);
+    return begin <= end
+        ? ""
+        : condition.name()
+            + ": no sample lies in its interval, which begins at "
+            + number(begin)
+            + " s; the case ends at "
+            + number(end)
+            + " s";
   }
 
   private String violation(

@@ -106,7 +106,11 @@ public final class ResultAssembler {
   public CaseResult judge(CaseRecord record, TraceSource signals) {
     CaseResult result = judgeFirst(record, signals);
     RepeatedCalls repeated = record.repeated();
-    result = record.notes().isEmpty() ? result : result.withNotes(record.notes());
+    if (!record.notes().isEmpty()) {
+      List<String> notes = new ArrayList<>(record.notes());
+      notes.addAll(result.notes());
+      result = result.withNotes(notes);
+    }
     return repeated == null ? result : result.with(repeated);
   }
 

@@ -38,6 +38,7 @@ final class TrajectoryVerdicts {
     }
     CaseResult judged = result;
     List<TrajectoryResult> results = new ArrayList<>();
+    List<String> notes = new ArrayList<>();
     List<String> names = conditions.names();
     for (int i = 0; i < names.size(); i++) {
       try {
@@ -46,6 +47,9 @@ final class TrajectoryVerdicts {
         results.add(
             new TrajectoryResult(
                 outcome.name(), verdict, outcome.margin(), outcome.atNanos() / 1e9));
+        if (!outcome.note().isEmpty()) {
+          notes.add(outcome.note());
+        }
         if (!outcome.holds()) {
           judged = judged.withVerdict(judged.verdict().worse(Verdict.FAIL), outcome.violation());
         }
@@ -56,6 +60,6 @@ final class TrajectoryVerdicts {
                 Verdict.ERROR, names.get(i) + ": cannot be evaluated: " + e.getMessage());
       }
     }
-    return judged.with(results);
+    return (notes.isEmpty() ? judged : judged.withNotes(notes)).with(results);
   }
 }

@@ -87,7 +87,8 @@ class ListSignalsTest {
                 false,
                 -0.25,
                 STEP_NANOS,
-                "condition: broken at 0.01 s: lidar.ranges[7] is 0.25"));
+                "condition: broken at 0.01 s: lidar.ranges[7] is 0.25",
+                ""));
   }
 
   @Test

@@ -32,7 +32,8 @@ class TrajectoryConditionsTest {
                 false,
                 -1,
                 3_420_000_000L,
-                "condition: broken at 3.42 s: bumped is 1"));
+                "condition: broken at 3.42 s: bumped is 1",
+                ""));
   }
 
   @Test
@@ -51,6 +52,22 @@ class TrajectoryConditionsTest {
     assertThat(margin("(robot_x < 3.0) == false", signals)).isInfinite().isNegative();
     assertThat(margin("always[5, 6](robot_x > 9.0)", signals)).isInfinite().isPositive();
     assertThat(margin("always(t <= 0.02)", signals)).isZero();
+  }
+
+  @Test
+  void aConditionAfterTheEndOfTheCaseSaysThatItJudgesNothing() throws Exception {
+    Map<String, double[]> signals = Map.of("robot_x", new double[] {1, 2, 4});
+
+    TrajectoryOutcome holds = outcome("always[5, 6](robot_x > 9.0)", Map.of(), signals);
+    TrajectoryOutcome broken = outcome("eventually[5, 6](robot_x > 0.0)", Map.of(), signals);
+
+    String reason =
+        "condition: no sample lies in its interval, which begins at 5 s; the case ends at 0.02 s";
+    assertThat(holds.holds()).isTrue();
+    assertThat(holds.note()).isEqualTo(reason);
+    assertThat(broken.holds()).isFalse();
+    assertThat(broken.violation()).isEqualTo(reason);
+    assertThat(outcome("always[0.02, 6](robot_x > 3.0)", Map.of(), signals).note()).isEmpty();
   }
 
   @Test
@@ -105,7 +122,7 @@ class TrajectoryConditionsTest {
     assertThat(conditions.evaluate(0, trace, Map.of()).violation())
         .isEqualTo("settling: broken at -0.02 s: robot_x is 5");
     assertThat(conditions.evaluate(1, trace, Map.of()))
-        .isEqualTo(new TrajectoryOutcome("call", true, 1, STEP_NANOS, ""));
+        .isEqualTo(new TrajectoryOutcome("call", true, 1, STEP_NANOS, "", ""));
   }
 
   @Test
