@@ -66,6 +66,10 @@ def test_single_cases_and_those_that_failed_run_again(sitaf, tmp_path):
 
     result = tmp_path / "result.xml"
     assert sitaf("run", example, "--model", "GetInfraredData", "--result", result).returncode == 1
+    folder = tmp_path / "results"
+    folder.mkdir()
+    (folder / "GetInfraredData.xml").symlink_to(result)
+    assert "5 cases, 0 PASS, 5 FAIL" in sitaf("run", example, "--failed", folder).stdout
     again = sitaf("run", example, "--failed", result, "--until-failure")
     assert "run 1" in again.stderr and "run 2" not in again.stderr
     assert "GetInfraredData: 5 cases, 0 PASS, 5 FAIL" in again.stdout

@@ -42,13 +42,17 @@ public record CaseSelection(CaseOptions options, LastResults last, Path activity
     if (options.failed == null || options.ofLastRun()) {
       return all;
     }
-    String name = given().name();
-    List<TestModel> of = all.stream().filter(m -> m.name().equals(name)).toList();
+    Path given = Path.of(String.valueOf(options.failed));
+    boolean isFolder = Files.isDirectory(given);
+    String name = isFolder ? "" : read(given).name();
+    List<TestModel> of =
+        all.stream()
+            .filter(m -> isFolder ? Files.exists(fileOf(m)) : m.name().equals(name))
+            .toList();
     if (of.isEmpty()) {
       throw InvalidInputException.of(
-          options.failed.toString(),
-          "is a result of the model "
-              + name
+          given.toString(),
+          (isFolder ? "has no result" : "is a result of the model " + name)
               + "; this run has "
               + all.stream().map(TestModel::name).collect(Collectors.joining(", ")));
     }
@@ -80,7 +84,7 @@ public record CaseSelection(CaseOptions options, LastResults last, Path activity
     }
     if (options.failed != null) {
       Optional<TestResult> result =
-          options.ofLastRun() ? last.of(activity, model) : Optional.of(given(model));
+          options.ofLastRun() ? last.of(activity, model) : Optional.of(read(fileOf(model)));
       if (result.isEmpty()) {
         throw InvalidInputException.of(
             "--failed", "there is no earlier run of " + model.name() + " on this machine");
@@ -90,10 +94,13 @@ public record CaseSelection(CaseOptions options, LastResults last, Path activity
     return selected;
   }
 
-  /** The given result; of a folder that {@code --result} wrote, the one of the model. */
-  private TestResult given(TestModel model) {
-    Path path = Path.of(String.valueOf(options.failed));
-    Path file = Files.isDirectory(path) ? path.resolve(model.name() + ".xml") : path;
+  /** The given result, or the one of the model in the folder that {@code --result} wrote. */
+  private Path fileOf(TestModel model) {
+    Path given = Path.of(String.valueOf(options.failed));
+    return Files.isDirectory(given) ? given.resolve(model.name() + ".xml") : given;
+  }
+
+  private static TestResult read(Path file) {
     return TestResultXml.read(new ByteArrayInputStream(UserFiles.file(file)), file.toString());
   }
 
