@@ -133,11 +133,15 @@ def line(central, repository):
         {"url": repository.folder.as_uri(), "branch": "main", "folder": "infrared", "policy": "LATEST", "intervalS": 1},
     )["id"]
     assert await_true(lambda: is_built(central, activity, repository.first), LIMIT_S)
+    # One push: the server looks for commits each second.
+    repository.git("checkout", "-q", "-b", "work")
     repository.change("return NO_DISTANCE;", "return NO_DISTANCE; // none", "Explain")
     bad = repository.change(
         "double NO_DISTANCE = -1", "double NO_DISTANCE = -2", "Change what there is without a distance"
     )
     newest = repository.change("// none", "// no distance", "Explain more")
+    repository.git("update-ref", "refs/heads/main", newest)
+    repository.git("checkout", "-q", "main")
     assert await_true(lambda: is_built(central, activity, newest), LIMIT_S)
     return activity, bad, newest
 

@@ -108,10 +108,10 @@ set_up_archives() {
   if newer_than "$state/archives.stamp" "$state/java.stamp"; then
     touch "$state/archives.begun"
     if [ -e "$state/bridge.stamp" ]; then
-      stage "Preparing fast starts" archives archive_dry_run
+      stage "Preparing fast starts, once after a build" archives archive_dry_run
       mv "$state/archives.begun" "$state/archives.stamp"
     elif [ ! -e "$state/dist/server/server.jsa" ]; then
-      stage "Preparing fast starts" archives archive_start
+      stage "Preparing fast starts, once after a build" archives archive_start
     fi
   fi
   unlocked

@@ -23,11 +23,14 @@ AXE = ROOT / "webapp" / "node_modules" / "axe-core" / "axe.min.js"
 PICTURES = os.environ.get("SITAF_PICTURES")
 
 
-def shot(page, name):
-    """Takes a screenshot if SITAF_PICTURES names a folder, such as docs/portal."""
+def shot(page, name, **size):
+    """Takes a screenshot, of a window with another size, if SITAF_PICTURES names a folder, such as docs/portal."""
     if PICTURES:
+        before = page.viewport_size
+        page.set_viewport_size({**before, **size})
         page.evaluate("scrollTo(0, 0)")
         page.screenshot(path=Path(PICTURES) / f"{name}.png", animations="disabled")
+        page.set_viewport_size(before)
 
 
 def next_step(page):
@@ -92,7 +95,7 @@ def write_model(page):
         part.get_by_label("To", exact=True).fill(high)
         part.get_by_label("Offset").fill(offset)
     page.get_by_role("img", name="7 values from -0.5 to 10.5 on a number line").wait_for()
-    shot(page, "model-editor")
+    shot(page, "model-editor", height=1300)
     next_step(page)
     page.get_by_text("55 cases: 25 valid, 30 with an invalid value").wait_for()
     shot(page, "combination")

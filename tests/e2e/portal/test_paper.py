@@ -22,7 +22,7 @@ def test_the_evaluation_of_the_paper_by_mouse_and_keyboard(page, tmp_path):
     page.get_by_role("table", name="Files of the component").get_by_text("InfraredSensor.java").wait_for()
     expect(page.get_by_role("textbox", name=re.compile("^Text of component"))).to_contain_text("class InfraredSensor")
     expect(page.locator(".cm-sign-reached").first).to_be_visible()
-    shot(page, "coverage")
+    shot(page, "coverage", height=1500)
     page.get_by_role("tab", name="Log").click()
     expect(page.get_by_role("log", name="Log")).not_to_have_text("The log is empty.")
 

@@ -114,6 +114,7 @@ def test_states_and_calls_are_edited_next_to_their_diagram(page, build):
     steps = page.get_by_role("list", name="Steps from enabled=false, near=false, dropped=false")
     expect(steps).to_contain_text("Read is forbidden, and made in invalid cases")
 
+    shot(page, "edit-sequence", width=1440, height=1700)
     page.get_by_role("button", name="Add a state").click()
     page.get_by_label("Name of state 4").fill("read")
     page.get_by_role("button", name="Change a state by Read").click()
@@ -127,7 +128,6 @@ def test_states_and_calls_are_edited_next_to_their_diagram(page, build):
     # The diagram follows a moment after the last key.
     expect(diagram.get_by_role("button").nth(8)).to_be_attached()
     page.get_by_role("button", name="Remove call Read").scroll_into_view_if_needed()
-    shot(page, "edit-sequence")
     assert serious(page) == []
 
     guard.click()

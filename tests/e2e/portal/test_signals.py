@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from snippets import snippet
 
-from portal.browsing import PICTURES, ROOT, actual_of, expect, home_of, serious, zip_of
+from portal.browsing import PICTURES, ROOT, actual_of, expect, home_of, serious, shot, zip_of
 
 
 @pytest.fixture(scope="module")
@@ -71,6 +71,7 @@ def test_a_violated_condition_links_to_its_moment(page, build):
     time.press("ArrowLeft")
     assert signals(page) == {"bumped": "0"}
     close_up(plot, "signals")
+    shot(page, "replay", width=1440)
 
 
 def form_of(value):

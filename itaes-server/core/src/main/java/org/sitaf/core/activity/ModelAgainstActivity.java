@@ -213,7 +213,7 @@ final class ModelAgainstActivity {
       error(
           input.line(),
           "test_element " + input.name(),
-          parameter.get().type().typeName() + " has no such member or element");
+          MemberPath.missing(parameter.get().type(), input.name()));
     } else {
       sameType(input.line(), input.name(), input.realType(), type.get());
       literals(input, type.get());
@@ -288,10 +288,7 @@ final class ModelAgainstActivity {
           } else {
             Optional<DataType> part = MemberPath.resolve(method.returnType(), output.name());
             if (part.isEmpty()) {
-              error(
-                  output.line(),
-                  where,
-                  method.returnType().typeName() + " has no such member or element");
+              error(output.line(), where, MemberPath.missing(method.returnType(), output.name()));
             } else {
               sameType(output.line(), output.name(), output.realType(), part.get());
             }
@@ -310,9 +307,7 @@ final class ModelAgainstActivity {
             Optional<DataType> part = MemberPath.resolve(parameter.get().type(), output.name());
             if (part.isEmpty()) {
               error(
-                  output.line(),
-                  where,
-                  parameter.get().type().typeName() + " has no such member or element");
+                  output.line(), where, MemberPath.missing(parameter.get().type(), output.name()));
             } else {
               sameType(output.line(), output.name(), output.realType(), part.get());
             }
@@ -377,8 +372,7 @@ final class ModelAgainstActivity {
     } else if (port.isPresent()) {
       Optional<DataType> part = MemberPath.resolve(port.get().type(), output.name());
       if (part.isEmpty()) {
-        error(
-            output.line(), where, port.get().type().typeName() + " has no such member or element");
+        error(output.line(), where, MemberPath.missing(port.get().type(), output.name()));
       } else {
         sameType(output.line(), output.name(), output.realType(), part.get());
       }

@@ -5,12 +5,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * The path of a test element in a parameter: the whole parameter {@code pose}, a member {@code
  * pose.x} or an element {@code path[0]}.
  */
 public final class MemberPath {
+  private static final int MAX_NAMED = 12;
   private static final Pattern STEP = Pattern.compile("\\.([A-Za-z_]\\w*)|\\[(\\d{1,6})]");
 
   private MemberPath() {}
@@ -85,6 +87,39 @@ public final class MemberPath {
       at = step.end();
     }
     return Optional.of(type);
+  }
+
+  /**
+   * Says which member or element there is not.
+   *
+   * @param root type of the parameter
+   * @param name a name for which {@link #resolve} finds nothing
+   */
+  public static String missing(DataType root, String name) {
+    DataType type = root;
+    Matcher step = STEP.matcher(name);
+    for (int at = root(name).length(); step.find(at) && step.start() == at; at = step.end()) {
+      String member = step.group(1);
+      Optional<DataType> next =
+          member != null ? member(type, member) : element(type, Integer.parseInt(step.group(2)));
+      if (next.isPresent()) {
+        type = next.get();
+        continue;
+      }
+      if (member != null && type instanceof DataType.Struct struct) {
+        return type.typeName()
+            + " has no member '"
+            + member
+            + "'; it has "
+            + struct.members().stream()
+                .map(DataType.Member::name)
+                .limit(MAX_NAMED)
+                .collect(Collectors.joining(", "))
+            + (struct.members().size() > MAX_NAMED ? ", ..." : "");
+      }
+      break;
+    }
+    return root.typeName() + " has no such member or element";
   }
 
   private static Optional<DataType> member(DataType type, String name) {

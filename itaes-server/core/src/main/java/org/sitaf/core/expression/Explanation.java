@@ -1,9 +1,11 @@
 package org.sitaf.core.expression;
 
 import dev.cel.common.ast.CelExpr;
+import dev.cel.common.ast.CelExpr.CelComprehension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 
 /** Shows the values that decide why a condition is false: {@code 1.31 <= 1.2}. */
@@ -20,13 +22,14 @@ final class Explanation {
   }
 
   String text() {
-    return text(condition.parsed(), false);
+    return text(condition.parsed(), false, UnaryOperator.identity());
   }
 
   /**
    * @param negated whether the node is true where it should be false
+   * @param within gives a part its place in macros around it, whose variables it may use
    */
-  private String text(CelExpr node, boolean negated) {
+  private String text(CelExpr node, boolean negated, UnaryOperator<CelExpr> within) {
     String function = Expression.function(node);
     List<CelExpr> arguments = function.isEmpty() ? List.of() : new ArrayList<>(node.call().args());
     return switch (function) {
@@ -36,28 +39,57 @@ final class Explanation {
         // Of a conjunction, the first false operand decides; of a disjunction, all do.
         List<String> texts =
             operands.stream()
-                .filter(o -> is(o, negated))
-                .map(o -> text(o, negated))
+                .filter(o -> is(within.apply(o), negated))
+                .map(o -> text(o, negated, within))
                 .filter(t -> !t.isEmpty())
                 .toList();
         yield function.equals("_&&_") != negated
             ? texts.stream().findFirst().orElse("")
             : String.join(" and ", texts);
       }
-      case "!_" -> text(arguments.get(0), !negated);
-      case "_?_:_" -> text(arguments.get(is(arguments.get(0), true) ? 1 : 2), negated);
+      case "!_" -> text(arguments.get(0), !negated, within);
+      case "_?_:_" ->
+          text(arguments.get(is(within.apply(arguments.get(0)), true) ? 1 : 2), negated, within);
       case "_<_", "_<=_", "_>_", "_>=_", "_==_", "_!=_", "@in" ->
-          value(arguments.get(0))
+          value(within.apply(arguments.get(0)))
               + " "
               + (function.equals("@in") ? "in" : function.replace("_", ""))
               + " "
-              + value(arguments.get(1));
-      case "", "_[_]", "dyn" -> "";
+              + value(within.apply(arguments.get(1)));
+      case "_[_]", "dyn" -> "";
+      case "" ->
+          node.getKind() == CelExpr.ExprKind.Kind.COMPREHENSION
+              ? macro(node.comprehension(), negated, within)
+              : "";
       default ->
-          node.call().target().map(t -> value(t) + ".").orElse("")
+          node.call().target().map(t -> value(within.apply(t)) + ".").orElse("")
               + function
-              + arguments.stream().map(this::value).collect(Collectors.joining(", ", "(", ")"));
+              + arguments.stream()
+                  .map(a -> value(within.apply(a)))
+                  .collect(Collectors.joining(", ", "(", ")"));
     };
+  }
+
+  /** Of {@code all} and {@code exists}, the first element that decides. */
+  private String macro(CelComprehension loop, boolean negated, UnaryOperator<CelExpr> within) {
+    if (loop.iterVar().equals(Macros.UNUSED)) {
+      UnaryOperator<CelExpr> bound =
+          part -> within.apply(Macros.bind(loop.accuVar(), loop.accuInit(), part));
+      return text(loop.result(), negated, bound);
+    }
+    String operator = Expression.function(loop.loopStep());
+    if (!operator.equals(negated ? "_||_" : "_&&_") || !loop.iterVar2().isEmpty()) {
+      return "";
+    }
+    CelExpr body = loop.loopStep().call().args().get(1);
+    CelExpr first = Macros.first(loop, body, negated);
+    UnaryOperator<CelExpr> bound = part -> within.apply(Macros.bind(loop.iterVar(), first, part));
+    String why = text(body, negated, bound);
+    return (why.isEmpty() ? "" : why + " ")
+        + "for "
+        + loop.iterVar()
+        + " = "
+        + value(within.apply(first));
   }
 
   private boolean is(CelExpr node, boolean wanted) {

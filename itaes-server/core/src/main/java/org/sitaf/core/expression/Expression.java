@@ -50,9 +50,8 @@ public final class Expression {
     /** The expression within its definitions. */
     CelExpr withDefinitions(CelExpr parsed) {
       CelExpr whole = parsed;
-      Linker linker = new Linker(scope);
       for (String name : ExpressionCompiler.reversed(needed(parsed))) {
-        whole = linker.bind(name, definitions.expression(name), whole);
+        whole = Macros.bind(name, definitions.expression(name), whole);
       }
       return whole;
     }

@@ -65,22 +65,6 @@ final class Linker {
     };
   }
 
-  /** {@code cel.bind(name, value, body)}. */
-  CelExpr bind(String name, CelExpr value, CelExpr body) {
-    return CelExpr.ofComprehension(
-        ++id,
-        "#unused",
-        CelExpr.ofList(
-            ++id,
-            com.google.common.collect.ImmutableList.of(),
-            com.google.common.collect.ImmutableList.of()),
-        name,
-        value,
-        CelExpr.ofConstant(++id, CelConstant.ofValue(false)),
-        CelExpr.ofIdent(++id, name),
-        body);
-  }
-
   private CelExpr numbered(CelExpr node) {
     return node.toBuilder().setId(++id).build();
   }

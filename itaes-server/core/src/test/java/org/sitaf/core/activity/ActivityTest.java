@@ -200,7 +200,7 @@ class ActivityTest {
                 p.contains(
                     "test_element mode: 'WARP' is not a literal of Mode; known literals: [SLOW,"
                         + " FAST]"))
-        .anyMatch(p -> p.contains("test_element pose.z: Pose has no such member or element"))
+        .anyMatch(p -> p.contains("test_element pose.z: Pose has no member 'z'; it has x, path"))
         .anyMatch(p -> p.contains("test_element pose.path[2]: Pose has no such member or element"));
   }
 

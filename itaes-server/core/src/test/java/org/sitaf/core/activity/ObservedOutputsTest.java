@@ -147,7 +147,7 @@ class ObservedOutputsTest {
     assertThat(problems())
         .singleElement()
         .asString()
-        .contains("ArmState has no such member or element");
+        .contains("ArmState has no member 'speed'; it has ");
   }
 
   @Test

@@ -236,6 +236,12 @@ class ExpressionVectorsTest {
         "text == 'x' | \"abc\" == \"x\"",
         "twice < 1 | 5.0 < 1",
         "path == [1] | [1.0, 2.0, 3.0] == [1]",
+        "path.all(p, p <= 1.5) | 2.0 <= 1.5 for p = 2.0",
+        "!path.exists(p, p > twice / 2.0) | 3.0 > 2.5 for p = 3.0",
+        "path.all(p, [p, 9.0].all(q, q < x)) | 9.0 < 2.5 for q = 9.0 for p = 1.0",
+        "path.all(p, is_nan(p)) | is_nan(1.0) for p = 1.0",
+        "path.exists(p, p > 9.0) | ``",
+        "cel.bind(d, x + 1.0, d < 1) | 3.5 < 1",
       })
   void explainsWhyAConditionIsFalse(String text, String compared) throws EvaluationException {
     Expression condition = compiler.compile(text);

@@ -279,6 +279,12 @@ public final class NodeSources {
             Endpoint::type);
   }
 
+  /** The topics that the sources name. */
+  List<String> topics() {
+    return distinct(
+        e -> e.kind() == Kind.PUBLISHER || e.kind() == Kind.SUBSCRIPTION, Endpoint::name);
+  }
+
   /** The names of the services and actions of a type {@code package/Name} that the node calls. */
   List<String> clientsOf(String type) {
     return distinct(e -> e.kind() == Kind.CLIENT && e.type().equals(type), Endpoint::name);

@@ -55,7 +55,7 @@ final class TopicTypes {
     return problem(
         topic,
         (found.isEmpty()
-                ? "the node's sources do not name the message type of this topic"
+                ? unknown()
                 : "the node's sources use several message types: " + shown(found))
             + "; write it, such as {with: "
             + RosNodeReader.shown(topic.ends().get(0))
@@ -107,7 +107,7 @@ final class TopicTypes {
     return problem(
         topic,
         found.isEmpty()
-            ? "the node's sources do not name the message type of this topic"
+            ? unknown()
                 + fits
                 + "; write {with: device."
                 + name
@@ -115,6 +115,12 @@ final class TopicTypes {
                 + shown(fitting.subList(0, 1))
                 + "}"
             : "has messages of type " + shown(found) + fits);
+  }
+
+  private String unknown() {
+    List<String> known = sources.topics();
+    return "the node's sources do not name the message type of this topic"
+        + (known.isEmpty() ? "" : " (they have " + String.join(", ", known) + ")");
   }
 
   private Optional<String> problem(Topic topic, String message) {

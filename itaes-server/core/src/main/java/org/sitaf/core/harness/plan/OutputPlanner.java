@@ -136,7 +136,7 @@ final class OutputPlanner {
   private Optional<DataType> part(OutputElement element, DataType whole) {
     Optional<DataType> type = MemberPath.resolve(whole, element.name());
     if (type.isEmpty()) {
-      unknown(element, whole.typeName() + " has no such member or element");
+      unknown(element, MemberPath.missing(whole, element.name()));
     }
     return type;
   }
