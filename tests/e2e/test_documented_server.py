@@ -156,7 +156,6 @@ def test_an_activity_is_created_from_git(central, repository, tmp_path):
     source = central.api.get(f"/api/v1/activities/{created['id']}/git")
     assert (source["branch"], source["folder"]) == ("main", "infrared")
     assert await_true(lambda: commits(central, created["id"]), LIMIT_S)
-    central.api.call("DELETE", f"/api/v1/activities/{created['id']}")
 
 
 def test_the_first_bad_commit_is_found(central, line, tmp_path):

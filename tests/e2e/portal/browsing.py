@@ -95,7 +95,7 @@ def write_model(page):
         part.get_by_label("To", exact=True).fill(high)
         part.get_by_label("Offset").fill(offset)
     page.get_by_role("img", name="7 values from -0.5 to 10.5 on a number line").wait_for()
-    shot(page, "model-editor", height=1300)
+    shot(page, "model-editor", height=1800)
     next_step(page)
     page.get_by_text("55 cases: 25 valid, 30 with an invalid value").wait_for()
     shot(page, "combination")
